@@ -98,8 +98,8 @@ class World {
   Result<void> change(const std::string& key, const std::string& value);
 
   /// Grabs a free node and pulls it to `target` [m] from the next frame on, with limited speed; the cloth follows.
-  /// Errors  Input: no such node; it is pinned, moved or grabbed already; the target is not finite. Limit: four nodes
-  ///         are grabbed.
+  /// Errors  Input: no such node; it is pinned, moved or grabbed already; the target is not finite. Limit: 1,024
+  ///         nodes are grabbed.
   Result<void> grab(std::uint32_t node, const Vec3d& target);
   /// Pulls a grabbed node elsewhere [m]. Errors  Input: it is not grabbed, or the target is not finite.
   Result<void> drag(std::uint32_t node, const Vec3d& target);

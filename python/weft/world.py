@@ -277,7 +277,7 @@ class World:
     def grab(self, node: int, target: Point) -> None:
         """Grabs a free node and pulls it to `target` (3,) [m] from the next frame on, with limited speed.
 
-        Errors: InputError, no such node; it is pinned, moved or grabbed already. LimitError, four nodes are grabbed.
+        Errors: InputError, no such node; it is pinned, moved or grabbed already. LimitError, 1,024 nodes are grabbed.
         """
         self._core.grab(node, _point(target, "target"))
 

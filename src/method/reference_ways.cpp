@@ -15,7 +15,7 @@ Ways Ways::begin(const Substep& substep) {
     const bool kinematic = system.inverse_mass[node] == 0;
     ways.way.push_back((kinematic ? substep.places[node] : system.position[node]) - ways.start[node]);
   }
-  for (const Follower& grabbed : system.grabs) ways.inverse_mass[grabbed.node] = 0;
+  for (const auto& [node, target] : system.grabs) ways.inverse_mass[node] = 0;
   return ways;
 }
 

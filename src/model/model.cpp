@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 #include "element/triple/triple.hpp"
 #include "mesh/lumped.hpp"
 #include "model/enclosed.hpp"
@@ -138,6 +140,7 @@ Result<void> append_given(Model& model, const scene::Motion& motion, std::span<c
 /// Finds the one free node of each of the cloth's grabs.
 Result<void> append_grabs(Model& model, const scene::Cloth& cloth, const scene::Selection& selection,
                           std::uint32_t first) {
+  const auto own = static_cast<std::ptrdiff_t>(model.grabs.size());
   for (const scene::Grab& grab : cloth.grabs) {
     WEFT_TRY(nodes, scene::select_nodes(grab.node, selection));
     if (nodes.size() != 1)
@@ -147,10 +150,12 @@ Result<void> append_grabs(Model& model, const scene::Cloth& cloth, const scene::
     if (model.kinematic(node))
       return input_error("%s selects node %u, which is %s; a grab holds a free node.",
                          grab.node.where.c_str(), nodes[0], model.motion[node] == 1 ? "pinned" : "moved");
-    for (const NodeGrab& other : model.grabs)
-      if (other.node == node && scene::overlap(other.grab, grab))
-        return input_error("%s holds node %u, which %s holds at the same time.", grab.where.c_str(), nodes[0],
-                           other.grab.where.c_str());
+    const auto other = std::find_if(model.grabs.begin() + own, model.grabs.end(), [&](const NodeGrab& one) {
+      return one.node == node && scene::overlap(one.grab, grab);
+    });
+    if (other != model.grabs.end())
+      return input_error("%s holds node %u, which %s holds at the same time.", grab.where.c_str(), nodes[0],
+                         other->grab.where.c_str());
     model.grabs.push_back({node, grab});
   }
   return {};

@@ -203,8 +203,7 @@ std::vector<Vec3d> Simulation::places_at(double time, const std::vector<Vec3d>& 
 void Simulation::set_grabs(double time) {
   system_.grabs.clear();
   for (const NodeGrab& one : model_->grabs)
-    if (scene::active_at(one.grab, time))
-      system_.grabs.push_back({one.node, scene::target_at(one.grab, time)});
+    if (scene::active_at(one.grab, time)) system_.grabs[one.node] = scene::target_at(one.grab, time);
 }
 
 void Simulation::answer_contacts(const std::vector<Vec3d>& previous) {

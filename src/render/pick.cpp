@@ -1,5 +1,6 @@
 #include "render/pick.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -61,6 +62,18 @@ Projected project(const Camera& camera, double aspect, const Vec3d& point) {
   const double depth = -dot(p, basis.back);
   const double half = depth * half_height(camera);
   return {dot(p, basis.right) / (half * aspect), dot(p, basis.up) / half, depth};
+}
+
+std::vector<std::uint32_t> nodes_within(const Camera& camera, double aspect, const PickArea& area,
+                                        std::span<const Vec4f> positions) {
+  const auto [left, right] = std::minmax({area.ax, area.bx});
+  const auto [low, high] = std::minmax({area.ay, area.by});
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < positions.size(); ++node) {
+    const Projected at = project(camera, aspect, positions[node].xyz().to<double>());
+    if (at.depth > 0 && at.x >= left && at.x <= right && at.y >= low && at.y <= high) nodes.push_back(node);
+  }
+  return nodes;
 }
 
 std::optional<PickedNode> pick_node(const Ray& ray, std::span<const Vec4f> positions,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "render/camera.hpp"
 #include "weft/view.hpp"
@@ -22,6 +23,14 @@ struct Projected {
   double depth = 0;  // along the view, not along the ray [m]
 };
 Projected project(const Camera& camera, double aspect, const Vec3d& point);
+
+/// A rectangle of the picture between two corners, in any order, as pick_ray has them.
+struct PickArea {
+  double ax = 0, ay = 0, bx = 0, by = 0;
+};
+/// The nodes before the eye whose places are in the area, whether they are seen or hidden, in rising order.
+std::vector<std::uint32_t> nodes_within(const Camera& camera, double aspect, const PickArea& area,
+                                        std::span<const Vec4f> positions);
 
 struct PickedNode {
   std::uint32_t node = 0;      // the corner of `triangle` nearest to `point`

@@ -509,19 +509,15 @@ class Builder {
     return {};
   }
 
-  /// No more grabs at any time than there are places. Their number can only grow where one starts.
-  static Result<void> check_grabs(const std::vector<Cloth>& cloths) {
-    std::vector<const Grab*> all;
+  /// No more grabs at any time than there are places.
+  Result<void> check_grabs(const std::vector<Cloth>& cloths) const {
+    std::vector<Hold> holds;
     for (const Cloth& cloth : cloths)
-      for (const Grab& grab : cloth.grabs) all.push_back(&grab);
-    for (const Grab* grab : all) {
-      const auto count = std::count_if(all.begin(), all.end(), [&](const Grab* other) {
-        return other->start <= grab->start && overlap(*other, *grab);
-      });
-      if (static_cast<std::size_t>(count) > kMaxGrabs)
-        return input_error("%s is one of %zu that hold a node at %g s; the limit is %zu at once.",
-                           grab->where.c_str(), static_cast<std::size_t>(count), grab->start, kMaxGrabs);
-    }
+      for (const Grab& grab : cloth.grabs) holds.push_back(hold_of(grab));
+    const MostAtOnce most = most_at_once(std::move(holds));
+    if (most.count > kMaxGrabs)
+      return input_error("%s: at %g s grabs hold %zu nodes; the limit is %zu at once.", file_.c_str(),
+                         most.time, most.count, kMaxGrabs);
     return {};
   }
 

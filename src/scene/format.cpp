@@ -248,7 +248,7 @@ constexpr Key kGrabKeys[] = {
 };
 constexpr Type kGrab{.kind = Kind::Object, .name = "grab", .keys = kGrabKeys};
 constexpr const Type* kGrabItem[] = {&kGrab};
-constexpr Type kGrabs{.kind = Kind::List, .count_most = 1000, .types = kGrabItem};
+constexpr Type kGrabs{.kind = Kind::List, .count_most = 4096, .types = kGrabItem};
 
 // cloths
 constexpr Type kGrid{.kind = Kind::Numbers, .least = 2, .most = 16384, .whole = true, .count_least = 2};

@@ -1,6 +1,9 @@
 #include "scene/grab.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
 
 namespace weft::scene {
 
@@ -8,6 +11,20 @@ bool active_at(const Grab& grab, double time) { return time > grab.start && !(gr
 
 bool overlap(const Grab& a, const Grab& b) {
   return !(a.end && *a.end <= b.start) && !(b.end && *b.end <= a.start);
+}
+
+Hold hold_of(const Grab& grab) { return {grab.start, grab.end.value_or(HUGE_VAL)}; }
+
+MostAtOnce most_at_once(std::vector<Hold> holds) {
+  std::sort(holds.begin(), holds.end(), [](const Hold& a, const Hold& b) { return a.start < b.start; });
+  std::priority_queue<double, std::vector<double>, std::greater<>> ends;
+  MostAtOnce most;
+  for (const Hold& hold : holds) {
+    while (!ends.empty() && ends.top() <= hold.start) ends.pop();
+    ends.push(hold.end);
+    if (ends.size() > most.count) most = {ends.size(), hold.start};
+  }
+  return most;
 }
 
 Vec3d target_at(const Grab& grab, double time) {

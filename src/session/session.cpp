@@ -137,6 +137,14 @@ Result<void> Session::pick(double x, double y) {
   return {};
 }
 
+Result<void> Session::pick_within(const render::PickArea& area) {
+  picked_within_.clear();
+  if (!view_) return make_error(ErrorKind::Failure, "Nothing can be picked without a canvas.");
+  WEFT_CHECK(take_snapshot());
+  picked_within_ = view_->nodes_within(area, snapshot_.position);
+  return {};
+}
+
 Result<void> Session::take_snapshot() {
   WEFT_TRY(snapshot, world_->snapshot());
   snapshot_ = std::move(snapshot);

@@ -65,6 +65,9 @@ class Session {
   /// The node under (x, y) in clip coordinates; picked() has it until the next call.
   Result<void> pick(double x, double y);
   const std::optional<render::PickedNode>& picked() const { return picked_; }
+  /// The nodes in an area of the picture, seen or hidden; picked_within() has them until the next call.
+  Result<void> pick_within(const render::PickArea& area);
+  const std::vector<std::uint32_t>& picked_within() const { return picked_within_; }
   /// The state as it is, kept until the next call.
   Result<void> take_snapshot();
   const sim::Snapshot& snapshot() const { return snapshot_; }
@@ -101,6 +104,7 @@ class Session {
   std::function<void(sim::World& world)> made_;
   std::optional<view::CanvasView> view_;  // draws from the world's buffers: goes before it
   std::optional<render::PickedNode> picked_;
+  std::vector<std::uint32_t> picked_within_;
   sim::Snapshot snapshot_;
   std::vector<std::byte> exported_;
 };

@@ -21,13 +21,15 @@ void FrameSteps::set_air(const scene::Scene& scene, double time) {
   changed_ = true;
 }
 
-void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,
+void FrameSteps::write(gpu::Device& device, const GpuModel& model, const State& state, const Grabs& grabs,
                        const FramePlan::Frame& frame) {
   const bool grabbed = grabs.any(frame.begin, frame.begin + frame_);
   const bool same =
       frame.substeps == substeps_ && frame.mover_speed == mover_speed_ && frame.step_ratio == step_ratio_;
   if (!changed_ && !wind_.varies() && !grabbed && !grabbed_ && same) return;
   const double step = frame_ / frame.substeps;
+  grabs.find(frame.begin, frame.begin + frame_, grabs_);
+  slots_.set(device, model, grabs_.nodes, grabs_.still.size());
   for (std::uint32_t s = 0; s < frame.substeps; ++s) {
     StepBlock& block = blocks_[s];
     const double now = frame.begin + s * step;  // the substep's forces are those at its start
@@ -36,9 +38,12 @@ void FrameSteps::write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps,
     block.contact.most_delay = static_cast<std::uint32_t>(1e6 * kMostDelay * frame_);
     set_wind(block.air, wind_, {turns(0, now), turns(1, now)});
     // a follower, as a motion, goes to where the target is at the end
-    grabs.fill(block.hands, step, now + step);
+    grabs.append_goals(grabs_, now + step);
+    grabs.fill(block.hands, step);
+    slots_.fill(block.hands, state, s);
   }
-  steps.write(device, std::span(blocks_).first(frame.substeps));
+  GrabSlots::write_goals(device, state, grabs_.still, grabs_.moving);
+  state.steps.write(device, std::span(blocks_).first(frame.substeps));
   changed_ = false;
   grabbed_ = grabbed;
   substeps_ = frame.substeps;

@@ -8,7 +8,7 @@
 #include "scene/wind.hpp"
 #include "sim/grabs.hpp"
 #include "sim/plan/frame_plan.hpp"
-#include "state/state.hpp"
+#include "state/grab_slots.hpp"
 
 namespace weft::sim {
 
@@ -29,7 +29,7 @@ class FrameSteps {
   /// Takes over gravity, external force, drag, wind and air, from `time` [s] on. The waves of the wind go on from
   /// where they are.
   void set_air(const scene::Scene& scene, double time);
-  void write(gpu::Device& device, const gpu::Buffer<StepBlock>& steps, const Grabs& grabs,
+  void write(gpu::Device& device, const GpuModel& model, const State& state, const Grabs& grabs,
              const FramePlan::Frame& frame);
   Gusts gusts() const;
   /// Makes the waves at `time` [s] those of `gusts`; from then on this wind moves them.
@@ -52,6 +52,8 @@ class FrameSteps {
   double mover_speed_ = 0;
   double step_ratio_ = 1;
   bool grabbed_ = false;  // in the frame that was written last
+  FrameGrabs grabs_;
+  GrabSlots slots_;
 };
 
 }  // namespace weft::sim

@@ -14,26 +14,35 @@ Result<void> check_target(std::uint32_t node, const Vec3d& target) {
                      target.y, target.z);
 }
 
+Vec4f goal(const Vec3d& target) { return Vec4f::from(target.to<float>(), 1); }
+
 bool ended(const scene::Grab& grab, double time) { return grab.end && *grab.end <= time; }
 
 }  // namespace
 
+std::size_t most_scripted(const Model& model, double frame) {
+  std::vector<scene::Hold> holds;
+  for (const NodeGrab& one : model.grabs) {
+    scene::Hold hold = scene::hold_of(one.grab);
+    hold.start -= 2 * frame;  // begins of frames that it acts in, and what rounding could add
+    holds.push_back(hold);
+  }
+  return scene::most_at_once(std::move(holds)).count;
+}
+
 Grabs::Grabs(const Model& model) : motion_(model.motion), scripted_(model.grabs), speed_(grab_speed(model)) {
-  grabbed_.reserve(scene::kMaxGrabs);
+  std::stable_sort(scripted_.begin(), scripted_.end(),
+                   [](const NodeGrab& a, const NodeGrab& b) { return a.node < b.node; });
 }
 
 std::size_t Grabs::needed_by_scene(double time) const {
-  std::size_t most = 0;  // it is reached where a grab starts, or now
-  for (const NodeGrab& first : scripted_) {
-    if (ended(first.grab, time)) continue;
-    const double from = std::max(first.grab.start, time);
-    const auto grabs_then = [&](const NodeGrab& other) {
-      return other.grab.start <= from && !ended(other.grab, from);
-    };
-    const auto count = std::count_if(scripted_.begin(), scripted_.end(), grabs_then);
-    most = std::max(most, static_cast<std::size_t>(count));
+  std::vector<scene::Hold> holds;
+  for (const NodeGrab& one : scripted_) {
+    if (ended(one.grab, time)) continue;
+    holds.push_back(scene::hold_of(one.grab));
+    holds.back().start = std::max(holds.back().start, time);
   }
-  return most;
+  return scene::most_at_once(std::move(holds)).count;
 }
 
 Result<void> Grabs::check(std::uint32_t node, double time) const {
@@ -101,20 +110,40 @@ bool Grabs::any(double from, double to) const {
   });
 }
 
-void Grabs::fill(StepBlock::Hands& hands, double dt, double time) const {
-  hands.node.fill(kNoNode);
+void Grabs::find(double from, double to, FrameGrabs& found) const {
+  found.nodes.clear();
+  found.still.clear();
+  found.moving.clear();
+  found.scripted.clear();
+  found.slots.clear();
+  for (const Grabbed& grabbed : grabbed_) {
+    found.nodes.push_back(grabbed.node);
+    found.still.push_back(goal(grabbed.target));
+  }
+  for (std::size_t k = 0; k < scripted_.size(); ++k) {
+    const NodeGrab& one = scripted_[k];
+    if (one.grab.start >= to || ended(one.grab, from)) continue;
+    const bool again = !found.scripted.empty() && scripted_[found.scripted.back()].node == one.node;
+    if (!again) found.nodes.push_back(one.node);
+    found.scripted.push_back(k);
+    found.slots.push_back(found.nodes.size() - found.still.size() - 1);
+  }
+}
+
+void Grabs::append_goals(FrameGrabs& found, double time) const {
+  const std::size_t first = found.moving.size();
+  found.moving.resize(first + found.nodes.size() - found.still.size());
+  for (std::size_t k = 0; k < found.scripted.size(); ++k) {
+    const scene::Grab& grab = scripted_[found.scripted[k]].grab;
+    if (scene::active_at(grab, time))
+      found.moving[first + found.slots[k]] = goal(scene::target_at(grab, time));
+  }
+}
+
+void Grabs::fill(StepBlock::Hands& hands, double dt) const {
   hands.speed = static_cast<float>(speed_);
   // No more than the whole distance in a substep: the follower would swing about its target.
   hands.rate = std::min(static_cast<float>(kGrabRate), 1 / static_cast<float>(dt));
-  std::size_t slot = 0;
-  const auto put = [&](std::uint32_t node, const Vec3d& target) {
-    hands.node[slot] = node;
-    hands.goal[slot] = Vec4f::from(target.to<float>(), 0);
-    ++slot;
-  };
-  for (const NodeGrab& one : scripted_)
-    if (scene::active_at(one.grab, time)) put(one.node, scene::target_at(one.grab, time));
-  for (const Grabbed& grabbed : grabbed_) put(grabbed.node, grabbed.target);
 }
 
 }  // namespace weft::sim

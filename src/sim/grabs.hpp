@@ -14,6 +14,18 @@ struct Grabbed {
   Vec3d target;  // [m]
 };
 
+/// What is grabbed in a frame. Kept from frame to frame, so that none allocates.
+struct FrameGrabs {
+  std::vector<std::uint32_t> nodes;   // those of the hand, then those of the scene
+  std::vector<Vec4f> still;           // where the hand pulls [m]
+  std::vector<Vec4f> moving;          // where the scene pulls, substep after substep [m]
+  std::vector<std::size_t> scripted;  // the scene's grabs that act in the frame
+  std::vector<std::size_t> slots;     // of each of them, among the nodes of the scene
+};
+
+/// The most nodes that the scene's grabs hold in a frame of so many seconds, whenever it begins.
+std::size_t most_scripted(const Model& model, double frame);
+
 /// At most scene::kMaxGrabs nodes are grabbed at any time. Those that the scene will need are kept free.
 class Grabs {
  public:
@@ -36,8 +48,13 @@ class Grabs {
 
   /// Whether a node may be grabbed between two times [s].
   bool any(double from, double to) const;
-  /// Fills the part of a substep of length `dt` [s] that ends at `time` [s].
-  void fill(StepBlock::Hands& hands, double dt, double time) const;
+  /// The nodes that may be grabbed between two times [s]: those of the host's hand, then those of the scene.
+  void find(double from, double to, FrameGrabs& found) const;
+  /// Appends where the scene pulls its nodes of `found` in the substep that ends at `time` [s]; w: 1, or 0 where it
+  /// does not.
+  void append_goals(FrameGrabs& found, double time) const;
+  /// Fills the part of a substep of length `dt` [s], but for what GrabSlots fills.
+  void fill(StepBlock::Hands& hands, double dt) const;
 
  private:
   Result<Grabbed*> find(std::uint32_t node);
@@ -48,7 +65,7 @@ class Grabs {
   std::size_t needed_by_scene(double time) const;
 
   std::vector<std::uint32_t> motion_;  // Model::motion
-  std::vector<NodeGrab> scripted_;
+  std::vector<NodeGrab> scripted_;     // by their nodes
   std::vector<Grabbed> grabbed_;
   double speed_ = 0;  // [m/s]
 };

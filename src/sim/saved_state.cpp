@@ -17,7 +17,9 @@ static_assert(std::endian::native == std::endian::little);  // lists are copied 
 
 constexpr char kMagic[] = "weftsave";
 constexpr std::size_t kMagicBytes = 8, kSizeAt = 16, kHashAt = 24, kHeaderBytes = 32, kMostText = 1024;
-constexpr std::size_t kMostOtherBytes = 16384;  // of all but the lists of nodes, pairs and bodies
+constexpr std::size_t kGrabBytes = sizeof(std::uint32_t) + 3 * sizeof(double);
+/// Of all but the lists of nodes, pairs and bodies.
+constexpr std::size_t kMostOtherBytes = 16384 + kGrabBytes * scene::kMaxGrabs;
 constexpr std::uint32_t kVersion = 5;
 /// Pairs that act, for each node and besides; far more than can be near it.
 constexpr std::uint64_t kMostPairsOfNode = 256, kMorePairs = 4096;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "sim/changed_nodes.hpp"
 
@@ -46,6 +47,20 @@ void carry(Snapshot& snapshot, const Model& model, const Model& then, const Sour
   carry_rest(snapshot, then, before);
 }
 
+/// Of grabbed nodes that become one, the first stays grabbed; one that becomes a pinned or moved one is held by that.
+void carry_grabs(std::vector<Grabbed>& grabs, const Model& model, const Model& then, const Sources& from) {
+  std::vector<std::uint32_t> now(model.vertex_count());
+  for (std::size_t node = 0; node < from.size(); ++node)
+    for (const std::uint32_t part : from[node]) now[part] = static_cast<std::uint32_t>(node);
+  std::set<std::uint32_t> held;
+  std::vector<Grabbed> left;
+  for (const Grabbed& grabbed : grabs) {
+    const std::uint32_t node = now[grabbed.node];
+    if (!then.kinematic(node) && held.insert(node).second) left.push_back({node, grabbed.target});
+  }
+  grabs = std::move(left);
+}
+
 /// Frames after which threads are looked at again.
 std::uint32_t thread_frames(const scene::Scene& scene) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(kThreadTime / scene.time.frame)));
@@ -67,13 +82,7 @@ Result<SewnState> sewn_state(World& world, const std::string& build) {
   if (then.vertex_count() != model.vertex_count()) {
     const Sources from = sewn_from(model, then);
     carry(state.snapshot, model, then, from);
-    for (Grabbed& grabbed : state.grabs)
-      grabbed.node = static_cast<std::uint32_t>(std::find_if(from.begin(), from.end(),
-                                                             [&](const std::vector<std::uint32_t>& parts) {
-                                                               return std::find(parts.begin(), parts.end(),
-                                                                                grabbed.node) != parts.end();
-                                                             }) -
-                                                from.begin());
+    carry_grabs(state.grabs, model, then, from);
   }
   state.sewing = std::move(sewn.sewing);
   made.state = std::move(state);

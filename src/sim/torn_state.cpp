@@ -39,9 +39,10 @@ Result<std::optional<SavedState>> torn_state(World& world, const std::string& bu
   WEFT_TRY(state, world.save(build));
   state.tears = std::move(tearing->tears);
   carry(state.snapshot, torn, tearing->from);
-  for (Grabbed& grabbed : state.grabs)
-    grabbed.node = static_cast<std::uint32_t>(
-        std::find(tearing->from.begin(), tearing->from.end(), grabbed.node) - tearing->from.begin());
+  std::vector<std::uint32_t> now(world.model().vertex_count());  // the first part of each
+  for (std::size_t node = tearing->from.size(); node-- > 0;)
+    now[tearing->from[node]] = static_cast<std::uint32_t>(node);
+  for (Grabbed& grabbed : state.grabs) grabbed.node = now[grabbed.node];
   return std::optional(std::move(state));
 }
 

@@ -85,7 +85,7 @@ Result<void> World::advance_frame(const gpu::CommandList* draw) {
 Result<void> World::submit_frame(const gpu::CommandList* draw) {
   const FramePlan::Frame frame = plan_.frame(frame_);
   const std::uint32_t substeps = frame.substeps;
-  steps_.write(device_, state_.steps, *grabs_, frame);
+  steps_.write(device_, model_, state_, *grabs_, frame);
   write_motions(substeps);
   contact_.write_places(device_, scene_, frame.begin, scene_.time.frame / substeps, substeps);
   const std::array<const gpu::CommandList*, 3> lists = {&recorder_.commands(parity_, substeps),

@@ -31,7 +31,8 @@ Result<void> World::build(const Assets& assets, const WorldOptions& options) {
     extents_ = collider_extents(scene_, host, assets_.objects, assets_.deformations);
   WEFT_TRY(model, GpuModel::create(device_, std::move(host)));
   model_ = std::move(model);
-  WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps()));
+  WEFT_TRY(state, State::create(device_, model_.host, plan_.most_substeps(),
+                                most_scripted(model_.host, scene_.time.frame)));
   state_ = std::move(state);
   const Method& method = plan_.method();
   WEFT_TRY(contact, contact::SceneContact::create(

@@ -11,7 +11,7 @@ namespace weft {
 /// The model on the GPU: the buffers that several rooms read.
 struct GpuModel {
   Model host;
-  gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: Model::motion, as a number
+  gpu::Buffer<Vec4f> rest_position;      // vertex_count, m; w: Model::motion; of a grabbed node its GrabSlots
   gpu::Buffer<std::array<float, 2>> uv;  // vertex_count, m
   gpu::Buffer<std::uint32_t> triangles;  // 3 * triangle_count
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/fabric.hpp"
+#include "scene/grab.hpp"
 
 namespace weft {
 namespace {
@@ -17,7 +18,8 @@ std::vector<Vec4f> start_positions(const Model& model) {
 
 }  // namespace
 
-Result<State> State::create(gpu::Device& device, const Model& model, std::uint32_t substeps) {
+Result<State> State::create(gpu::Device& device, const Model& model, std::uint32_t substeps,
+                            std::size_t moving_goals) {
   State state;
   const std::size_t count = model.vertex_count();
   for (std::size_t parity = 0; parity < 2; ++parity) {
@@ -30,8 +32,10 @@ Result<State> State::create(gpu::Device& device, const Model& model, std::uint32
   WEFT_TRY(steps,
            gpu::Buffer<StepBlock>::create(device, substeps, "steps", gpu::kUniform | gpu::kCopyTarget));
   state.steps = std::move(steps);
-  WEFT_TRY(motions, gpu::Buffer<Vec4f>::create(device, 3 * model.motions.size() * substeps, "motions"));
-  state.motions = std::move(motions);
+  state.first_goal = static_cast<std::uint32_t>(3 * model.motions.size() * substeps);
+  state.still_goals = static_cast<std::uint32_t>(std::min(count, scene::kMaxGrabs));
+  const std::size_t goals = state.still_goals + moving_goals * substeps;
+  WEFT_SET(state.motions, gpu::Buffer<Vec4f>::create(device, state.first_goal + goals, "motions"));
   WEFT_TRY(statistics, gpu::Buffer<std::uint32_t>::create(device, sizeof(Statistics) / 4, "statistics"));
   state.statistics = std::move(statistics);
   WEFT_SET(state.creases, gpu::Buffer<Vec4f>::create(device, crease_count(model), "creases"));

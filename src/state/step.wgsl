@@ -4,7 +4,6 @@
 // one a step: StepBlock
 //
 // That line is for the loader (gpu/shader_source.cpp): a uniform of this type is the block of the dispatch's substep.
-const kMaxGrabs = 4u;
 const kDetectNo = 0u;
 const kDetectIfDue = 1u;   // look for pairs if a vertex is about to leave its reach
 const kDetectAlways = 2u;
@@ -46,10 +45,13 @@ struct StepAir {
   friction : f32,
 }
 struct StepHands {
-  node : vec4u,                      // the grabbed nodes; 0xffffffff where a place is free
-  goal : array<vec4f, kMaxGrabs>,    // m: where they are pulled, xyz
-  rate : f32,                        // 1/s; at most 1 / dt
-  speed : f32,                       // m/s
+  first : u32,         // of the nodes that include all grabbed ones
+  count : u32,         // of them; 0: none is grabbed
+  still : u32,         // slots below have a goal for all substeps of the frame, the others one for each
+  first_still : u32,   // where in `motions` the goal of slot 0 is
+  first_moving : u32,  // where this substep's goal of slot 0 would be, if that were not still
+  rate : f32,          // 1/s; at most 1 / dt
+  speed : f32,         // m/s
 }
 // A method's own numbers (Solver::fill).
 struct StepMethod {

@@ -7,12 +7,9 @@
 
 #include "base/vec.hpp"
 #include "gpu/command_list.hpp"
-#include "scene/grab.hpp"
 #include "scene/wind.hpp"
 
 namespace weft {
-
-inline constexpr std::uint32_t kNoNode = 0xffffffffU;
 
 /// Whether a substep looks for pairs of features.
 enum class Detect : std::uint32_t { No, IfDue, Always };
@@ -54,12 +51,15 @@ struct StepBlock {
     float pressure = 0;              // of the scene's air, with half its density [kg/m³]
     float lift = 0, friction = 0;    // [kg/m³]
   };
-  /// By what holds nodes.
+  /// By what holds nodes: the first five by GrabSlots.
   struct alignas(128) Hands {
-    std::array<std::uint32_t, scene::kMaxGrabs> node = {kNoNode, kNoNode, kNoNode, kNoNode};
-    std::array<Vec4f, scene::kMaxGrabs> goal = {};  // [m]
-    float rate = 0;                                 // [1/s]
-    float speed = 0;                                // [m/s]
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    std::uint32_t still = 0;
+    std::uint32_t first_still = 0;
+    std::uint32_t first_moving = 0;
+    float rate = 0;   // [1/s]
+    float speed = 0;  // [m/s]
   };
   /// By the solver: its own numbers.
   struct alignas(128) Method {

@@ -44,6 +44,10 @@ class CanvasView {
 
   render::Ray ray(double x, double y) const { return render::pick_ray(camera(), aspect(), x, y); }
   render::Projected project(const Vec3d& point) const { return render::project(camera(), aspect(), point); }
+  std::vector<std::uint32_t> nodes_within(const render::PickArea& area,
+                                          std::span<const Vec4f> positions) const {
+    return render::nodes_within(camera(), aspect(), area, positions);
+  }
   /// The point on the ray through (x, y) that is as far along the view as `reference`.
   Vec3d point_at(double x, double y, const Vec3d& reference) const;
 

@@ -36,20 +36,22 @@ TEST_CASE("a drag that makes the running step unstable is refused, and the world
   CHECK(hash_after(world, 2) == hash_after(plain, 3));
 }
 
-TEST_CASE("what cannot be grabbed is refused by the node, and more than four nodes by the limit") {
-  World world = world_of(scene_of(kSheet));
-  const std::uint32_t free_row = 19 * 20;
-  CHECK(world.grab(400, {}).error().message ==
-        "Node 400 cannot be grabbed: there are 400 nodes, counted from 0.");
+TEST_CASE("what cannot be grabbed is refused by the node, and more than 1024 nodes by the limit") {
+  constexpr std::uint32_t kMost = 1024, free_row = 40;
+  Scene scene = scene_of(kSheet);
+  REQUIRE_OK(scene.set("cloths.0.grid", "[40, 40]"));
+  World world = world_of(scene);
+  CHECK(world.grab(1600, {}).error().message ==
+        "Node 1600 cannot be grabbed: there are 1600 nodes, counted from 0.");
   CHECK(world.grab(0, {}).error().message == "Node 0 cannot be grabbed: it is pinned.");
   CHECK(world.grab(free_row, {std::nan(""), 0, 0}).error().kind == ErrorKind::Input);
-  for (std::uint32_t k = 0; k < 4; ++k) REQUIRE_OK(world.grab(free_row + k, {}));
-  CHECK(world.grab(free_row, {}).error().message == "Node 380 cannot be grabbed: it is grabbed already.");
-  CHECK(world.grab(free_row + 4, {}).error().kind == ErrorKind::Limit);
+  for (std::uint32_t k = 0; k < kMost; ++k) REQUIRE_OK(world.grab(free_row + k, {}));
+  CHECK(world.grab(free_row, {}).error().message == "Node 40 cannot be grabbed: it is grabbed already.");
+  CHECK(world.grab(free_row + kMost, {}).error().kind == ErrorKind::Limit);
   CHECK(world.drag(free_row, {0, std::nan(""), 0}).error().kind == ErrorKind::Input);
-  CHECK(world.release(free_row + 4).error().kind == ErrorKind::Input);
+  CHECK(world.release(free_row + kMost).error().kind == ErrorKind::Input);
   REQUIRE_OK(world.reset());  // lets go
-  REQUIRE_OK(world.grab(free_row + 4, {}));
+  REQUIRE_OK(world.grab(free_row + kMost, {}));
 }
 
 TEST_CASE("the shape comes as obj, ply and glb, and another format is refused by its name") {

@@ -140,7 +140,8 @@ Json step_air() {
 }
 Json step_hands() {
   using T = StepBlock::Hands;
-  return row("StepHands", "state/step.wgsl", sizeof(T), alignof(T), {M(node), M(goal), M(rate), M(speed)});
+  return row("StepHands", "state/step.wgsl", sizeof(T), alignof(T),
+             {M(first), M(count), M(still), M(first_still), M(first_moving), M(rate), M(speed)});
 }
 Json step_method() {
   using T = StepBlock::Method;
@@ -466,7 +467,6 @@ Json struct_layouts() {
 
 Json shared_constants() {
   Json constants = Json::array({
-      constant("kMaxGrabs", "state/step.wgsl", scene::kMaxGrabs),
       constant("kGroupsPerRow", "gpu/index.wgsl", gpu::kGroupsPerRow),
       constant("kRigidWords", "contact/proximity/rigid_words.wgsl", contact::kRigidWords),
       constant("kRigidRows", "contact/proximity/rigid_words.wgsl", contact::kRigidRows),

@@ -123,8 +123,10 @@ class ImplicitRig {
   void hold(std::uint32_t node, const Vec3d& target) {
     params_.hands.rate = 20;
     params_.hands.speed = 10;
-    params_.hands.node[0] = node;
-    params_.hands.goal[0] = Vec4f::from(target.to<float>(), 0);
+    const Vec4f goal = Vec4f::from(target.to<float>(), 1);
+    slots_.set(device_, model_, std::span(&node, 1), 1);
+    slots_.fill(params_.hands, state_, 0);
+    GrabSlots::write_goals(device_, state_, std::span(&goal, 1), {});
     state_.steps.write(device_, std::span(&params_, 1));
     system_.grabs = {{node, target}};
     system_.grab_rate = 20;
@@ -299,6 +301,7 @@ class ImplicitRig {
   scene::Scene scene_;
   double dt_, ratio_ = 1;
   StepBlock params_;
+  GrabSlots slots_;
   GpuModel model_;
   State state_;
   ClothCycle cycle_;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cstring>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "method/solver.hpp"
 #include "method/stepper.hpp"
 #include "scene/load.hpp"
+#include "state/grab_slots.hpp"
 
 namespace weft {
 
@@ -83,17 +85,14 @@ class SolverRig {
   void hold(std::uint32_t node, const Vec3d& target, double rate, double speed) {
     params_.hands.rate = static_cast<float>(rate);
     params_.hands.speed = static_cast<float>(speed);
-    params_.hands.node[grabs_.size()] = node;
-    params_.hands.goal[grabs_.size()] = Vec4f::from(target.to<float>(), 0);
-    grabs_.push_back({node, target});
-    state_.steps.write(device_, std::span(&params_, 1));
+    grabs_[node] = target;
+    write_grabs();
   }
 
   /// Holds none from now on.
   void let_go() {
-    params_.hands = {};
     grabs_.clear();
-    state_.steps.write(device_, std::span(&params_, 1));
+    write_grabs();
   }
 
   void advance(std::uint32_t steps) {
@@ -152,6 +151,18 @@ class SolverRig {
   }
 
  private:
+  void write_grabs() {
+    std::vector<std::uint32_t> nodes;
+    std::vector<Vec4f> goals;
+    for (const auto& [node, target] : grabs_) {
+      nodes.push_back(node);
+      goals.push_back(Vec4f::from(target.to<float>(), 1));
+    }
+    slots_.set(device_, model_, nodes, nodes.size());
+    slots_.fill(params_.hands, state_, 0);
+    GrabSlots::write_goals(device_, state_, goals, {});
+    state_.steps.write(device_, std::span(&params_, 1));
+  }
   std::vector<Vec4f> read(const gpu::Buffer<Vec4f>& buffer) {
     auto values = gpu::download(device_, buffer);
     REQUIRE_OK(values);
@@ -162,7 +173,8 @@ class SolverRig {
   scene::Scene scene_;
   double dt_;
   StepBlock params_;
-  std::vector<reference::Follower> grabs_;
+  std::map<std::uint32_t, Vec3d> grabs_;
+  GrabSlots slots_;
   GpuModel model_;
   State state_;
   std::unique_ptr<Solver> solver_;

@@ -39,10 +39,9 @@ double wind_tolerance(const reference::MassSpringSystem& system, std::size_t nod
 /// How far the velocity of a grabbed node may be: the difference of two places, its length and the cut round.
 double grab_tolerance(const reference::MassSpringSystem& system, std::size_t node) {
   double error = 0;
-  for (const reference::Follower& grabbed : system.grabs)
-    if (grabbed.node == node)
-      error += system.grab_rate * kUlp *
-               (length(grabbed.target) + 10 * length(grabbed.target - system.position[node]));
+  if (const auto grabbed = system.grabs.find(static_cast<std::uint32_t>(node)); grabbed != system.grabs.end())
+    error += system.grab_rate * kUlp *
+             (length(grabbed->second) + 10 * length(grabbed->second - system.position[node]));
   return error;
 }
 

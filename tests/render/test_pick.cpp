@@ -181,6 +181,32 @@ TEST_CASE("a ray at any inner node of a sheet meets it there") {
     }
 }
 
+TEST_CASE(
+    "within an area are the points of rays through it before the eye, whatever the order of its corners") {
+  Random random(7);
+  for (int round = 0; round < 50; ++round) {
+    const Camera camera{random_point(random, 5), random_point(random, 5), random.uniform(15, 80)};
+    const double x = random.uniform(-1, 0.4), y = random.uniform(-1, 0.4);
+    const PickArea area{x + 0.5, y, x, y + 0.5};
+    std::vector<Vec4f> positions;
+    std::vector<std::uint32_t> inside;
+    for (std::uint32_t node = 0; node < 200; ++node) {
+      const double px = random.uniform(-1, 1), py = random.uniform(-1, 1);
+      const bool before = node % 3 != 0;
+      const Ray ray = pick_ray(camera, 1.3, px, py);
+      const Vec3d point = ray.origin + (before ? 1 : -1) * random.uniform(1, 9) * ray.direction;
+      positions.push_back(Vec4f::from(point.to<float>(), 1));
+      const double edge =
+          std::min({std::abs(px - x), std::abs(px - x - 0.5), std::abs(py - y), std::abs(py - y - 0.5)});
+      if (edge < 1e-5)
+        positions.back() = Vec4f::from(Vec3f{NAN, 0, 0}, 1);  // f32 may round it across
+      else if (before && px > x && px < x + 0.5 && py > y && py < y + 0.5)
+        inside.push_back(node);
+    }
+    CHECK(nodes_within(camera, 1.3, area, positions) == inside);
+  }
+}
+
 TEST_CASE("a ray to a corner, and a corner that is not a number, are no trouble") {
   const auto corner = pick(kSquare, {-1, -1, 5}, {0, 0, -1});
   REQUIRE(corner);

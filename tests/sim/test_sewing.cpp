@@ -104,6 +104,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("two grabbed nodes that a seam makes one are one grabbed node, which stays where both were held") {
+  GpuFixture fixture;
+  auto world = world_of(fixture.device(), two_panels("mass_spring", "none"));
+  const CutPattern& pattern = *world->model().host.bodies[0].pattern;
+  const auto& pair = pattern.seams[0].pairs[2];
+  const std::array<std::uint32_t, 2> nodes{pattern.node[pair[0]], pattern.node[pair[1]]};
+  const Vec3d target{0, 0.01, 0.02};
+  for (const std::uint32_t node : nodes) REQUIRE_OK(world->grab(node, target));
+  world = sewn_on(fixture.device(), std::move(world), 60);
+  CHECK(world->sewing().sewn() > 0);
+  REQUIRE(world->grabbed().size() == 1);
+  CHECK(length(Moment(*world).position[world->grabbed()[0].node] - target) < 1e-3);
+}
+
 TEST_CASE("panels about a capsule are sewn on: no seam is open, and nothing is passed through") {
   GpuFixture fixture;
   const auto scene = contact_scene(R"("gravity": [0, 0, 0], "solver": {"kind": "multigrid"},

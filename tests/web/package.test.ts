@@ -99,7 +99,7 @@ it("the catalog has the schema, the colour map and the limits of the core, witho
   expect(colors[0]!.map((part) => Math.round(255 * part))).toEqual([68, 1, 84]); // viridis
   expect(colors.at(-1)!.map((part) => Math.round(255 * part))).toEqual([253, 231, 37]);
   expect(ranges.stretch).toEqual([0.95, 1.15]);
-  expect(mostGrabs).toBe(4);
+  expect(mostGrabs).toBe(1024);
   expect(fabrics.find(({ name }) => name === "denim_11oz")).toMatchObject({ density: 0.324, look: "denim" });
   expect(schemaOf(schema, "cloths.0.look")!.anyOf!.flatMap((way) => way.enum ?? []))
     .toEqual(looks.map(({ name }) => name));
@@ -401,6 +401,18 @@ describe("a world", () => {
     expect(frames).toBeLessThanOrEqual(7);
     await world.step(7 - frames);
     expect((await world.snapshot()).hash).toBe(hash);
+  });
+
+  it("says where nodes are at rest, also once they have moved", async () => {
+    const world = await open();
+    const rest = await world.restPositions();
+    expect(rest.length).toBe(3 * world.info.nodes);
+    const node = world.info.nodes - 5;
+    const probed = await world.probe(node);
+    expect([...rest.subarray(3 * node, 3 * node + 3)]).toEqual(probed.rest.map(Math.fround));
+    await world.step(5);
+    expect((await world.probe(node)).position).not.toEqual(probed.position);
+    expect(await world.restPositions()).toEqual(rest);
   });
 
   it("pulls a grabbed node to its target, and lets it go", async () => {

@@ -170,11 +170,16 @@ TEST_CASE("keys do what the page's do") {
 TEST_CASE("one grab is kept for the hand") {
   Opened opened;
   Player& player = opened.player;
-  for (const double x : {-0.2, 0.0, 0.2}) CHECK(player.pins().toggle(x, -0.3).value() == "");
+  REQUIRE(player.open(wanted("large sheet", sheet(35))));
+  const std::uint32_t nodes = player.world().model().vertex_count();
+  for (std::size_t k = 2; k < scene::kMaxGrabs; ++k)
+    REQUIRE(player.world().grab(nodes - static_cast<std::uint32_t>(k), {}));
+  player.pins().take(player.world().grabbed());
+  CHECK(player.pins().toggle(0.1, 0.5).value() == "");  // near the upper edge, where none is pinned yet
   CHECK(player.pins().all().size() == scene::kMaxGrabs - 1);
-  const auto refused = player.pins().toggle(0.1, -0.3);
+  const auto refused = player.pins().toggle(-0.1, 0.5);
   CHECK(player.pins().all().size() == scene::kMaxGrabs - 1);
   CHECK(refused.value() ==
-        "3 nodes are pinned, and there can be 3: the core holds 4, and the hand needs one.");
+        "1023 nodes are pinned, and there can be 1023: the core holds 1024, and the hand needs one.");
   CHECK(player.pins().toggle(-0.99, 0.99).value() == "There is no cloth to pin there.");
 }

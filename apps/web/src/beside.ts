@@ -51,9 +51,13 @@ export class Beside {
   get milliseconds(): { readonly left: number | null; readonly right: number | null } {
     return { left: this.times.left.median, right: this.times.right.median };
   }
+  /** How far the left side goes, in clip coordinates; without a comparison to the picture's edge. */
+  get edge(): number {
+    return this.pair === null ? 1 : clip(this.own, { x: this.line.getBoundingClientRect().left, y: 0 }).x;
+  }
   /** Whether a place of the picture is on the right. `x`: in clip coordinates. */
   covers(x: number): boolean {
-    return this.pair !== null && x > clip(this.own, { x: this.line.getBoundingClientRect().left, y: 0 }).x;
+    return x > this.edge;
   }
 
   /** Makes the world, at rest beside `left`; where that fails, rejects, and what was there before is there still. */

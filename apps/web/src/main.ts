@@ -14,6 +14,7 @@ import { Player, type PlayerEvents } from "./player.js";
 import { Pointer } from "./pointer.js";
 import { SCENES } from "./scenes.js";
 import { plain, withKey, type PageState } from "./state/page_state.js";
+import { leftOut } from "./state/pin_text.js";
 import { solversOf, SUBSTEPS } from "./state/parameters.js";
 import { read } from "./state/url_state.js";
 import { missingDevice, missingSupport } from "./support.js";
@@ -117,7 +118,7 @@ async function build(): Promise<{ player: Player; pins: Pins; refused: string | 
   const panel = new Panel({ canvas, catalog: offers, limits, player, pins, theme, gallery, say,
     open: (wanted) => void go(wanted), link: () => {
       pins.note();
-      return linkTo(player.noteCamera());
+      return { address: linkTo(player.noteCamera()), but: leftOut(player.state.pins) };
     } });
   new Files(player, notice, canvas, go);
   followSize(canvas, async (width, height) => {

@@ -6,17 +6,29 @@ export interface HeldPin extends PinPlace {
   readonly node: number;
 }
 
-/** Grabs what pins hold in a world at rest; why one cannot be held. Of pins that come to one node the first counts. */
-export async function hold(world: World,
-  pins: readonly PinPlace[]): Promise<{ readonly held: HeldPin[]; readonly fault: string | null }> {
-  const held: HeldPin[] = [];
-  let fault: string | null = null;
-  const places = pins.length > 0 ? await world.positions() : new Float32Array();
+/** What the world holds now, and why one cannot be held. */
+export interface Held {
+  readonly held: HeldPin[];
+  readonly fault: string | null;
+}
+
+/** Grabs what pins hold in a world at rest. Of pins that come to one node the first counts. */
+export async function hold(world: World, pins: readonly PinPlace[]): Promise<Held> {
+  const places = pins.length > 0 ? await world.restPositions() : new Float32Array();
+  const nodes = new Map<number, HeldPin>();
   for (const pin of pins) {
     const node = nearest(places, pin.rest);
-    if (held.some((one) => one.node === node)) continue;
-    const refused = await refusal(world.grab(node, pin.target));
-    if (refused === null) held.push({ ...pin, node });
+    if (!nodes.has(node)) nodes.set(node, { ...pin, node });
+  }
+  return grabAll(world, [...nodes.values()]);
+}
+
+export async function grabAll(world: World, pins: readonly HeldPin[]): Promise<Held> {
+  const held: HeldPin[] = [];
+  let fault: string | null = null;
+  for (const pin of pins) {
+    const refused = await refusal(world.grab(pin.node, pin.target));
+    if (refused === null) held.push(pin);
     else fault ??= refused;
   }
   return { held, fault };
@@ -31,6 +43,11 @@ export async function refusal(grab: Promise<void>): Promise<string | null> {
     if (reason instanceof WeftError && (reason.kind === "input" || reason.kind === "limit")) return reason.message;
     throw reason;
   }
+}
+
+/** `places`: x, y, z of every node. */
+export function pointOf(places: Float32Array, node: number): Point {
+  return [places[3 * node]!, places[3 * node + 1]!, places[3 * node + 2]!];
 }
 
 /** `places`: x, y, z of every node [m]. */

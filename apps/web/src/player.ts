@@ -4,9 +4,10 @@ import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, ty
 import type { Beside } from "./beside.js";
 import { Comparer } from "./comparer.js";
 import { fitCamera, idle } from "./fit_camera.js";
+import type { Place } from "./hand.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
-import { hold, type HeldPin } from "./pin_places.js";
+import { hold, pointOf, type HeldPin } from "./pin_places.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
 import { equal, withKey, type Comparison, type PageState, type PinPlace, type Value } from "./state/page_state.js";
@@ -278,9 +279,8 @@ export class Player {
     const outcome = await this.ask(async (world) => {
       try {
         const opened = await world.openState(bytes);
-        held = await Promise.all(
-          opened.grabs.map(async (grab) => ({ ...grab, rest: (await world.probe(grab.node)).rest })),
-        );
+        const rest = opened.grabs.length > 0 ? await world.restPositions() : new Float32Array();
+        held = opened.grabs.map((grab) => ({ ...grab, rest: pointOf(rest, grab.node) }));
         return opened;
       } catch (reason) {
         if (reason instanceof WeftError && reason.kind === "input") return reason;
@@ -374,6 +374,13 @@ export class Player {
   /** The node under a place on the canvas, in clip coordinates; null where the other side of a comparison is seen. */
   async pick(world: World, x: number, y: number): Promise<Pick | null> {
     return this.beside.covers(x) ? null : world.pick(x, y);
+  }
+
+  /** The nodes between two places on the canvas, as far as the other side of a comparison is not seen there. */
+  async pickWithin(world: World, a: Place, b: Place): Promise<number[]> {
+    const { edge } = this.beside;
+    const [left, right] = [Math.min(a.x, b.x), Math.min(Math.max(a.x, b.x), edge)];
+    return left < right ? [...(await world.pickWithin(left, a.y, right, b.y))] : [];
   }
 
   /** Asks the world for something, if there is one; errors are reported. */

@@ -1,6 +1,7 @@
 // Pointers on the canvas. One on the cloth takes hold of it, one beside it turns the camera, the right button or two
-// fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Moves are
-// gathered and handed on once a picture: the world does them in turn.
+// fingers move it, wheel and pinch zoom. A node that is pinned is pulled too, and stays where it is left. Where pins
+// are set by click, a drag draws a rectangle in which all nodes are pinned. Moves are gathered and handed on once a
+// picture: the world does them in turn.
 import type { Point, World } from "weft-cloth";
 import { ARROWS } from "./controls/arrows.js";
 import type { Pins } from "./controls/pins.js";
@@ -25,11 +26,13 @@ type Gesture =
   | { kind: "none" }
   | { kind: "deciding" } // whether the cloth is under the pointer
   | { kind: "grab"; pull: Pull }
+  | { kind: "frame"; from: Place } // a rectangle in which nodes are pinned [CSS pixels]
   | { kind: "orbit" }
   | { kind: "pan" }
   | { kind: "pinch" };
 
 const HALF_TURN = Math.PI; // of the camera, for a drag over the canvas's height [rad]
+const STILL = 6; // a drag that is no longer is a click [CSS pixels]
 const AT_ONCE = 3; // frames whose reports may come together; time in which the hand rested is no time to move in
 const WHEEL = 0.0015; // zoom exponent per pixel of the wheel
 const WHEEL_PINCH = 0.01; // a trackpad's pinch comes as a wheel with Ctrl, in smaller numbers
@@ -66,6 +69,7 @@ export class Pointer {
   forget(): void {
     this.down.clear();
     this.trailing.clear();
+    this.pins.hideFrame();
     this.gesture = { kind: "none" };
     this.mark();
   }
@@ -79,6 +83,8 @@ export class Pointer {
       this.spread = this.span();
       this.begin({ kind: "pinch" });
     } else if (this.down.size > 2) this.begin({ kind: "none" });
+    else if (event.button === 0 && !event.shiftKey && this.pins.frames(this.last))
+      this.begin({ kind: "frame", from: this.last });
     else if (event.button === 0 && !event.shiftKey) void this.decide();
     else if (event.button <= 2) this.begin({ kind: "pan" });
   }
@@ -99,6 +105,7 @@ export class Pointer {
       this.hand.follow({ x: event.clientX, y: event.clientY }, event.timeStamp);
     }
     if (this.down.size === 1) this.handOn(); // the way of the last few moves
+    if (event.type === "pointerup") this.endFrame();
     this.down.delete(event.pointerId);
     if (this.gesture.kind === "pinch" && this.down.size === 1) {
       this.last = this.centre();
@@ -106,6 +113,15 @@ export class Pointer {
     } else if (this.down.size === 0) {
       this.begin({ kind: "none" });
     }
+  }
+
+  /** The rectangle has its second corner. */
+  private endFrame(): void {
+    if (this.gesture.kind !== "frame") return;
+    const { from } = this.gesture;
+    const to = this.centre();
+    this.begin({ kind: "none" });
+    if (Math.hypot(to.x - from.x, to.y - from.y) >= STILL) void this.pins.toggleWithin(from, to);
   }
 
   /** Takes hold of the cloth if it is under the pointer, else turns the camera. */
@@ -157,6 +173,7 @@ export class Pointer {
   private begin(next: Gesture): void {
     const before = this.gesture;
     this.gesture = next;
+    if (before.kind === "frame") this.pins.hideFrame();
     if (before.kind === "grab") {
       const { pull } = before;
       if (!this.pins.has(pull.node)) void this.player.ask((world) => world.release(pull.node));
@@ -187,6 +204,7 @@ export class Pointer {
     for (const pull of this.trailing) this.draw(world, pull);
     if (this.down.size === 0) return;
     if (this.gesture.kind === "grab") return this.draw(world, this.gesture.pull);
+    if (this.gesture.kind === "frame") return this.pins.showFrame(this.gesture.from, this.centre());
     const { height } = this.canvas.getBoundingClientRect();
     const centre = this.centre();
     const [dx, dy] = [(centre.x - this.last.x) / height, (centre.y - this.last.y) / height];
@@ -227,6 +245,7 @@ export class Pointer {
   private onKey(event: KeyboardEvent): void {
     const world = this.player.live;
     if (!world || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === "Escape" && this.gesture.kind === "frame") return this.cancel();
     const arrow = ARROWS[event.key];
     if (arrow && event.shiftKey) world.pan(-0.05 * arrow[0], -0.05 * arrow[1]);
     else if (arrow) world.orbit(0.1 * arrow[0], 0.1 * arrow[1]);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr ImU32 kInk = IM_COL32(24, 32, 44, 255);
 constexpr ImU32 kMarker = IM_COL32(255, 214, 64, 255);
+constexpr std::size_t kManyPins = 50;  // whose markers are smaller
 
 void draw_title(Player& player) {
   const std::string& title = player.world().scene().title;
@@ -51,13 +52,14 @@ void draw_legend(const render::Field& field, float width, float height) {
 }
 
 void draw_markers(Player& player, float width, float height) {
+  const float radius = points(player.pins().all().size() > kManyPins ? 3 : 6);
   for (const Pin& pin : player.pins().all()) {
     const render::Projected seen = player.look().project(pin.point);
     if (seen.depth <= 0) continue;
     const ImVec2 at = {width * static_cast<float>(seen.x + 1) / 2,
                        height * static_cast<float>(1 - seen.y) / 2};
-    ImGui::GetBackgroundDrawList()->AddCircleFilled(at, points(6), kMarker);
-    ImGui::GetBackgroundDrawList()->AddCircle(at, points(6), kInk, 0, points(1.5F));
+    ImGui::GetBackgroundDrawList()->AddCircleFilled(at, radius, kMarker);
+    ImGui::GetBackgroundDrawList()->AddCircle(at, radius, kInk, 0, points(1.5F));
   }
 }
 

@@ -1,5 +1,5 @@
-// Nodes that stay where they were put, as a hand would hold them. Each is a grab of the world, which holds few of them;
-// one is kept for the hand.
+// Nodes that stay where they were put, as a hand would hold them. Each is a grab of the world; one of its
+// grabs is kept for the hand.
 #pragma once
 
 #include <string>

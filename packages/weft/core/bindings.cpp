@@ -336,6 +336,14 @@ EMSCRIPTEN_KEEPALIVE const double* weft_picked() {
   if (!picked) return give(-1, 0, 0, 0);
   return give(picked->node, picked->point.x, picked->point.y, picked->point.z);
 }
+/// Sleeps. In clip coordinates.
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_pick_within(double ax, double ay, double bx, double by) {
+  return with_world([&](Session& s) { return s.pick_within({ax, ay, bx, by}); });
+}
+EMSCRIPTEN_KEEPALIVE const std::uint32_t* weft_picked_within() { return session->picked_within().data(); }
+EMSCRIPTEN_KEEPALIVE std::uint32_t weft_picked_count() {
+  return static_cast<std::uint32_t>(session->picked_within().size());
+}
 EMSCRIPTEN_KEEPALIVE const double* weft_point_at(double x, double y, double rx, double ry, double rz) {
   if (view() == nullptr) return nullptr;
   const weft::Vec3d point = view()->point_at(x, y, {rx, ry, rz});
@@ -375,6 +383,10 @@ EMSCRIPTEN_KEEPALIVE std::uint32_t weft_zoom(double factor) {
   return 0;
 }
 
+/// Where nodes are at rest, x, y, z in double [m]; after weft_load.
+EMSCRIPTEN_KEEPALIVE const weft::Vec3d* weft_rest_positions() {
+  return session->world()->model().host.rest_position.data();
+}
 EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_positions() { return session->snapshot().position.data(); }
 EMSCRIPTEN_KEEPALIVE const weft::Vec4f* weft_velocities() { return session->snapshot().velocity.data(); }
 /// Sleeps.

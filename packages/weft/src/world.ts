@@ -200,7 +200,11 @@ export class World {
     this.changed();
   }
 
-  /** Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. */
+  /**
+   * Takes hold of a node: from now on it is drawn to `target`, by a force as it were, with a bounded speed. At once
+   * `catalog().mostGrabs` nodes can be. Errors: "input", a node that is pinned, moved or grabbed; "limit", one too
+   * many.
+   */
   async grab(node: number, target: Point): Promise<void> {
     this.loaded();
     await this.core.sleep("grab", [index(node), ...target]);
@@ -239,6 +243,15 @@ export class World {
     const [node, ...point] = await this.core.sleep("pick", [x, y], () => this.numbers("picked", 4)) as [number, number,
       number, number];
     return node < 0 ? null : { node, point };
+  }
+
+  /** The nodes under a rectangle of the canvas between two corners, seen or hidden by others, in rising order. */
+  async pickWithin(ax: number, ay: number, bx: number, by: number): Promise<Uint32Array> {
+    this.loaded();
+    return this.core.sleep("pick_within", [ax, ay, bx, by], () => {
+      const at = this.core.call("picked_within") >>> 2;
+      return this.core.module.HEAPU32.slice(at, at + this.core.call("picked_count"));
+    });
   }
 
   /** The point under a place on the canvas that is as far from the camera's plane as `reference`. */
@@ -344,6 +357,16 @@ export class World {
       const places = fourEach("positions");
       const inverseMasses = Float32Array.from({ length: nodes }, (_, node) => places[4 * node + 3]!);
       return { positions: packed(places), velocities: packed(fourEach("velocities")), inverseMasses, hash };
+    });
+  }
+
+  /** x, y, z of every node of the cloth at rest, in model order [m]: what `probe` calls `rest`. */
+  async restPositions(): Promise<Float32Array> {
+    this.loaded();
+    return this.core.turn(() => {
+      this.loaded();
+      const at = this.core.call("rest_positions") >>> 3;
+      return Float32Array.from(this.core.module.HEAPF64.subarray(at, at + 3 * this.info.nodes));
     });
   }
 

@@ -8,8 +8,10 @@
 @group(0) @binding(1) var<storage, read>       corners      : array<u32>;     // method/corners.wgsl
 @group(0) @binding(2) var<storage, read>       position_in  : array<vec4f>;   // vertex_count   m (w: 1/kg)
 @group(0) @binding(3) var<storage, read>       velocity_in  : array<vec4f>;   // vertex_count   m/s
-@group(0) @binding(4) var<storage, read_write> position_out : array<vec4f>;   // vertex_count   m
-@group(0) @binding(5) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count   m/s
+@group(0) @binding(4) var<storage, read>       rest         : array<vec4f>;   // vertex_count   m (w: motion)
+@group(0) @binding(5) var<storage, read>       motions      : array<vec4f>;   // grab.wgsl
+@group(0) @binding(6) var<storage, read_write> position_out : array<vec4f>;   // vertex_count   m
+@group(0) @binding(7) var<storage, read_write> velocity_out : array<vec4f>;   // vertex_count   m/s
 
 @compute @workgroup_size(kWorkgroupSize)
 fn push_by_air(@builtin(global_invocation_id) id : vec3u) {

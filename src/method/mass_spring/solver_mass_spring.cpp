@@ -60,12 +60,18 @@ Result<void> SolverMassSpring::create_gas(const SolverInputs& inputs) {
   if (!gas_.any()) return {};
   WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, "method/mass_spring/push_by_gas.wgsl", {},
                                              inputs.workgroup_size));
-  WEFT_SET(push_by_gas_, gpu::Dispatch::create_by_parity(
-                             kernel, kernel->workgroups_of(inputs.model.vertex_count()),
-                             [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                               return {state.steps,       gas_.gases(),          gas_.slopes(),
-                                       state.position[p], state.position[1 - p], *inputs.predicted()[p]};
-                             }));
+  WEFT_SET(push_by_gas_,
+           gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(inputs.model.vertex_count()),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {state.steps,
+                                                     gas_.gases(),
+                                                     gas_.slopes(),
+                                                     state.position[p],
+                                                     inputs.model.rest_position,
+                                                     state.motions,
+                                                     state.position[1 - p],
+                                                     *inputs.predicted()[p]};
+                                           }));
   return {};
 }
 
@@ -77,9 +83,14 @@ Result<void> SolverMassSpring::create_air(const SolverInputs& inputs) {
   WEFT_SET(push_by_air_,
            gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(inputs.model.vertex_count()),
                                            [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                             return {state.steps,           corners_,
-                                                     state.position[p],     state.velocity[p],
-                                                     state.position[1 - p], *inputs.predicted()[p]};
+                                             return {state.steps,
+                                                     corners_,
+                                                     state.position[p],
+                                                     state.velocity[p],
+                                                     inputs.model.rest_position,
+                                                     state.motions,
+                                                     state.position[1 - p],
+                                                     *inputs.predicted()[p]};
                                            }));
   return {};
 }

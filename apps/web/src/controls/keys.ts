@@ -26,7 +26,7 @@ export function followKeys(parts: Parts): void {
     if (target.closest("select, input[type=number]")) return; // letters and digits choose there
     // The space bar presses the control that has the focus.
     if (event.key === " " && target.closest("button, summary, a, input:not([type=range])")) return;
-    const action = pageAction(event.key, parts) ?? (parts.player.live && sceneAction(event.key.toLowerCase(), parts));
+    const action = pageAction(event.key, parts) ?? (parts.player.live && sceneAction(event, parts));
     if (!action) return;
     event.preventDefault();
     action();
@@ -46,7 +46,8 @@ function pageAction(key: string, { help, theme, gallery }: Parts): (() => void) 
   }
 }
 
-function sceneAction(key: string, { player, views, pins, probes }: Parts): (() => void) | null {
+function sceneAction(event: KeyboardEvent, { player, views, pins, probes }: Parts): (() => void) | null {
+  const key = event.key.toLowerCase();
   const view = VIEWS[Number(key) - 1];
   if (view) return () => views.choose(view);
   switch (key) {
@@ -61,7 +62,7 @@ function sceneAction(key: string, { player, views, pins, probes }: Parts): (() =
     case "x":
       return () => views.toggleWireframe();
     case "p":
-      return () => void pins.toggleUnderPointer();
+      return () => void (event.shiftKey ? pins.toggleMiddle() : pins.toggleUnderPointer());
     case "m":
       return () => void probes.toggleUnderPointer();
     case "u":

@@ -33,7 +33,7 @@ export interface PanelInputs {
   readonly gallery: Gallery;
   open(state: PageState): void;
   /** The address of the page as it is. */
-  link(): string;
+  link(): { readonly address: string; readonly but: string | null };
   say(sentence: string): void;
 }
 
@@ -145,7 +145,7 @@ export class Panel {
   /** All that the panel says, for whoever reports how it went. */
   private report(): unknown {
     const { state, beside } = this.inputs.player;
-    return { weft: 1, page: this.inputs.link(), state, browser: navigator.userAgent, loaded: this.info,
+    return { weft: 1, page: this.inputs.link().address, state, browser: navigator.userAgent, loaded: this.info,
       ...this.readings.values, pins: this.inputs.pins.pinned, passes: this.passes.times,
       beside: beside.world && { loaded: beside.world.info, milliseconds: beside.milliseconds } };
   }

@@ -2,6 +2,8 @@
 import { schemaOf, type Schema } from "weft-cloth";
 import type { Value } from "./page_state.js";
 
+const DIGITS = 4; // of a coordinate in metres
+
 /** What the description of a key ends with, in brackets; "" for a plain number. */
 export function unitOf(schema: Schema): string {
   return /\[([^\]]+)\]\.$/.exec(schema.description ?? "")?.[1] ?? "";
@@ -10,6 +12,11 @@ export function unitOf(schema: Schema): string {
 /** The description without its unit. */
 export function meaningOf(schema: Schema): string {
   return (schema.description ?? "").replace(/\s*\[[^\]]+\]\.$/, ".");
+}
+
+/** A point as an address has it [m]. */
+export function plainPoint(values: readonly number[]): string {
+  return values.map((value) => Number(value.toFixed(DIGITS))).join();
 }
 
 const ways = (schema: Schema): readonly Schema[] => schema.anyOf ?? [schema];

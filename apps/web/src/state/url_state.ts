@@ -2,14 +2,15 @@
 // is checked by the core's schema; what does not pass is left out, and said.
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
 import { COMPARED, MIDDLE, NODES, withOther } from "./comparison.js";
-import { parsed, parsedBy } from "./limits.js";
+import { parsed, parsedBy, plainPoint } from "./limits.js";
 import { plain, type Comparison, type PageState, type PinPlace, type Value } from "./page_state.js";
 import { KEYS, SOLVER } from "./parameters.js";
+import { numbersOf, textOf } from "./pin_text.js";
 import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
 const DIGITS = 4; // of a camera's coordinates, in metres
-const BETWEEN = ":"; // parts of a comparison, and pins
+const BETWEEN = ":"; // parts of a comparison
 const DIVIDER: Schema = { type: "integer", minimum: 0, maximum: 100, description: "Of its way, from the left [%]." };
 
 /** What may be asked for, beside keys of a scene. */
@@ -73,17 +74,16 @@ function parsedValue({ schema, solvers, mostNodes }: Offer, key: string, text: s
   return key === SOLVER ? parsedBy({ enum: solvers }, text) : parsed(schema, key, text);
 }
 
-/** Of pins=0.5,0,0,0.5,0.2,0.1 what is good: six numbers each, the place at rest and where it is held. */
+/** Of pins=0.5,0,0,0.5,0.2,0.1 what is good: six numbers each, the place at rest and where it is held (pin_text.ts). */
 function pinsOf(asked: URLSearchParams, { schema, mostPins }: Offer, refusals: Refusals): PinPlace[] {
   const text = asked.get("pins");
-  const found = (text === null ? [] : text.split(BETWEEN)).flatMap((pin): PinPlace[] => {
-    const numbers = pin.split(",");
+  const found = (text === null ? [] : numbersOf(text)).flatMap((numbers): PinPlace[] => {
     const [rest, target] = [numbers.slice(0, 3), numbers.slice(3)].map((three) =>
       parsed(schema, "camera.eye", three.join())
     );
     if (rest && target && "value" in rest && "value" in target)
       return [{ rest: rest.value, target: target.value } as PinPlace];
-    refusals.add("a pin", pin, "be six numbers [m]: its place on the cloth at rest, and where it is held");
+    refusals.add("a pin", numbers.join(), "be six numbers [m]: its place on the cloth at rest, and where it is held");
     return [];
   });
   if (found.length > mostPins) refusals.add("pins", text ?? "", `be at most ${mostPins}`);
@@ -127,8 +127,6 @@ function cameraOf(asked: URLSearchParams, schema: Schema, refuse: (name: string,
   return { eye, target, fov } as Camera;
 }
 
-const point = (values: readonly number[]): string => values.map((value) => Number(value.toFixed(DIGITS))).join();
-
 /** `usual`: the view that goes without saying. */
 export function write({ scene, nodes, set, view, camera, pins, compare }: PageState, usual: View): string {
   const parts = [`v=${VERSION}`, `scene=${encodeURIComponent(scene)}`];
@@ -136,10 +134,10 @@ export function write({ scene, nodes, set, view, camera, pins, compare }: PageSt
   for (const key of KEYS) if (set[key] !== undefined) parts.push(`${key}=${String(set[key])}`);
   if (view !== usual) parts.push(`view=${view}`);
   if (camera)
-    parts.push(`eye=${point(camera.eye)}`, `target=${point(camera.target)}`,
+    parts.push(`eye=${plainPoint(camera.eye)}`, `target=${plainPoint(camera.target)}`,
       `fov=${Number(camera.fov.toFixed(DIGITS))}`);
-  if (pins.length > 0)
-    parts.push(`pins=${pins.map(({ rest, target }) => `${point(rest)},${point(target)}`).join(BETWEEN)}`);
+  const held = pins.length > 0 ? textOf(pins) : null; // leftOut says why it has none
+  if (held !== null) parts.push(`pins=${held}`);
   if (compare) {
     const other = Object.entries(compare.other).map(([key, value]) => `${key}=${String(value)}`);
     parts.push(`compare=${other.join(BETWEEN)}`);

@@ -56,14 +56,12 @@ Vec3d wind_at(const scene::WindField& wind, const Vec3d& place, double time) {
 }
 
 std::optional<Vec3d> grab_velocity(const MassSpringSystem& system, std::size_t node) {
-  for (const Follower& grabbed : system.grabs) {
-    if (grabbed.node != node) continue;
-    Vec3d velocity = system.grab_rate * (grabbed.target - system.position[node]);
-    const double speed = length(velocity);
-    if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
-    return velocity;
-  }
-  return std::nullopt;
+  const auto grabbed = system.grabs.find(static_cast<std::uint32_t>(node));
+  if (grabbed == system.grabs.end()) return std::nullopt;
+  Vec3d velocity = system.grab_rate * (grabbed->second - system.position[node]);
+  const double speed = length(velocity);
+  if (speed > system.grab_speed) velocity *= system.grab_speed / speed;
+  return velocity;
 }
 
 /// What the air resists with at each node, as a step begins [kg/s]; empty: there is none.

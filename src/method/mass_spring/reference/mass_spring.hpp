@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -32,12 +33,6 @@ struct BendLink {
   double stiffness = 0;  // [N/m]
 };
 
-/// A node that is pulled to a point.
-struct Follower {
-  std::uint32_t node = 0;
-  Vec3d target;  // [m]
-};
-
 /// Nodes and springs; node i is kinematic where inverse_mass[i] is 0.
 struct MassSpringSystem {
   std::vector<Vec3d> position, velocity;  // [m], [m/s]
@@ -51,11 +46,11 @@ struct MassSpringSystem {
   double drag = 0;     // [1/s]
   scene::WindField wind;
   std::optional<scene::Air> air;
-  std::vector<AirTriangle> triangles;  // that it pushes on
-  double time = 0;                     // [s]; advance counts it up
-  std::vector<Follower> grabs;
-  double grab_rate = 0;   // [1/s]
-  double grab_speed = 0;  // [m/s]
+  std::vector<AirTriangle> triangles;    // that it pushes on
+  double time = 0;                       // [s]; advance counts it up
+  std::map<std::uint32_t, Vec3d> grabs;  // nodes that are pulled, each to a point [m]
+  double grab_rate = 0;                  // [1/s]
+  double grab_speed = 0;                 // [m/s]
 };
 
 /// The force of every node's springs, of its resistance to bending, of fabric and of bodies with volume [N].
