@@ -1,5 +1,5 @@
 // The scenes' cameras are made for a wide picture; in a narrower one they stand further back.
-import type { World } from "weft-cloth";
+import type { Camera, World } from "weft-cloth";
 
 const SCENE_ASPECT = 16 / 9; // of the picture that the scenes' cameras are made for
 const FULL = 0.86; // of half the picture's width, for the cloth at rest: there has to be room to move
@@ -23,4 +23,12 @@ export async function fitCamera(world: World, aspect: number, cloth: Float32Arra
   for (let i = 0; i + 2 < positions.length; i += stride)
     widest = Math.max(widest, Math.abs(world.project([positions[i]!, positions[i + 1]!, positions[i + 2]!])[0]));
   if (widest > FULL) world.zoom(FULL / widest);
+}
+
+/** Whether two cameras are one but for rounding. */
+export function near(a: Camera, b: Camera): boolean {
+  const size = Math.hypot(...b.eye.map((value, axis) => value - b.target[axis]!));
+  return [a.eye, a.target].every((point, i) =>
+    point.every((value, axis) => Math.abs(value - (i === 0 ? b.eye : b.target)[axis]!) < 1e-4 * size)
+  );
 }

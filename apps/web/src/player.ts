@@ -1,52 +1,24 @@
-// The world that the page shows: which scene is in it, whether it runs, and what becomes of it when the GPU fails.
-import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Pick, type Statistics, type View,
-  type World, type WorldInfo } from "weft-cloth";
+// The world that the page shows: which scene is in it, and whether it runs.
+import { createWorld, WeftError, type Camera, type Catalog, type OpenedState, type Pick, type View,
+  type World } from "weft-cloth";
 import type { Beside } from "./beside.js";
 import { Comparer } from "./comparer.js";
-import { fitCamera, idle } from "./fit_camera.js";
+import { fitCamera, idle, near } from "./fit_camera.js";
 import type { Place } from "./hand.js";
 import { Latest } from "./latest.js";
 import { checkRoom, type Limits } from "./memory.js";
 import { hold, pointOf, type HeldPin } from "./pin_places.js";
+import type { PlayerEvents } from "./player_events.js";
+import { Recovery } from "./recovery.js";
 import { fetchScene, restated, type LoadedScene } from "./scenes.js";
 import { sentence } from "./sentence.js";
 import { equal, withKey, type Comparison, type PageState, type PinPlace, type Value } from "./state/page_state.js";
-import { isLive } from "./state/parameters.js";
 import { tell } from "./tell.js";
-
-export interface PlayerEvents {
-  /** The world is being built; its grabs are void. */
-  opening(title: string): void;
-  opened(scene: LoadedScene, info: WorldInfo): void;
-  /** The other side of a comparison is being built; null: it is there, or has been refused. */
-  preparing(title: string | null): void;
-  /** There is another side now, or none any more. */
-  compared(): void;
-  /** No scene could be opened, nor the one before. */
-  empty(): void;
-  playing(on: boolean): void;
-  viewed(view: View): void;
-  /** The state differs from before: another scene, parameter, view or camera. */
-  changed(state: PageState): void;
-  /** The cloth is at rest again, and nothing of it is grabbed. */
-  rested(): void;
-  /** The cloth goes on from a saved state. */
-  wentBack(): void;
-  /** These nodes are pinned, and no other. */
-  held(pins: readonly HeldPin[]): void;
-  /** `host`: what a frame cost the page's thread [ms]; null where it was only drawn. */
-  frame(statistics: Readonly<Statistics>, host: number | null): void;
-  said(sentence: string): void;
-  failed(sentence: string): void;
-}
 
 interface LiveChange {
   readonly scene: LoadedScene;
   readonly before: Value | null;
 }
-
-const LOSSES = { most: 3, within: 60_000 }; // a device that is lost more often than this [ms] will be lost again
-const LOSS_SHOWS_WITHIN = 250; // [ms]
 
 export class Player {
   private open_: World | null = null;
@@ -59,8 +31,7 @@ export class Player {
   private home_: Camera | null = null; // the camera that the scene came with
   private turn: Promise<void> = Promise.resolve(); // loading and recovery, one after the other
   private newest = 0;
-  private recovering = false;
-  private losses: number[] = [];
+  private readonly recovery: Recovery;
 
   /** `first`: what is asked for before any scene is open. */
   constructor(private readonly canvas: HTMLCanvasElement, private readonly offers: Catalog,
@@ -71,10 +42,16 @@ export class Player {
       change: (state) => this.change(state),
       follow: () => this.follow(),
       restart: () => this.restart(),
-      pause: () => {
-        if (this.wantsToPlay) this.play(false);
-      },
+      pause: () => this.pause(),
       failed: (reason) => void this.fail(reason),
+    }, events);
+    this.recovery = new Recovery({
+      shown: this,
+      halt: () => this.halt(),
+      pause: () => this.pause(),
+      inTurn: (action) => this.inTurn(action),
+      settle: (scene) => this.settle(scene, this.state_),
+      discard: () => this.discard(),
     }, events);
   }
 
@@ -139,9 +116,7 @@ export class Player {
 
   private async load(scene: LoadedScene): Promise<void> {
     const options = { scene: scene.json, meshes: scene.meshes, set: scene.set };
-    this.scene = null;
-    this.comparer.close();
-    this.open_?.pause();
+    this.halt();
     if (this.open_?.stopped) this.discard();
     if (this.open_) await this.open_.load(scene.json, options);
     else this.adopt(await createWorld({ ...options, canvas: this.canvas, view: this.state_.view }));
@@ -220,7 +195,16 @@ export class Player {
       if (this.scene || error.kind === "device-lost") void this.fail(error);
     });
     world.on("news", (sentence) => this.events.said(sentence));
-    this.watch(world);
+    this.recovery.watch(world);
+  }
+
+  /** The world is no more to be asked; the scene that it held. */
+  private halt(): LoadedScene | null {
+    const { scene } = this;
+    this.scene = null;
+    this.comparer.close();
+    this.open_?.pause();
+    return scene;
   }
 
   private discard(): void {
@@ -237,6 +221,10 @@ export class Player {
     this.follow();
     this.events.playing(on);
     if (!on) void this.ask((world) => world.step(0)); // waits for the frames under way: the numbers are the picture's
+  }
+
+  private pause(): void {
+    if (this.wantsToPlay) this.play(false);
   }
 
   /** A page that nobody sees does not simulate. */
@@ -395,66 +383,8 @@ export class Player {
     }
   }
 
-  // Faults
-
-  private async fail(reason: unknown): Promise<void> {
-    if (reason instanceof WeftError && reason.kind === "device-lost") return this.recover(sentence(reason));
-    // A device that goes away can make other faults before its loss is reported; then the loss is what to act on.
-    const lost = this.open_?.device?.lost.then(({ message }) => `The GPU device is lost: ${message}`);
-    const wait = new Promise<null>((wake) => setTimeout(() => wake(null), LOSS_SHOWS_WITHIN));
-    const cause = await Promise.race([lost ?? null, wait]);
-    if (cause !== null) return this.recover(cause);
-    if (this.recovering) return;
-    if (this.wantsToPlay) this.play(false);
-    this.events.failed(sentence(reason));
-  }
-
-  /** A loss shows in a running world's next frame; a paused one is told by the device itself. */
-  private watch(world: World): void {
-    const device = world.device;
-    void device?.lost.then(({ message }) => {
-      if (this.open_ === world && world.device === device) void this.recover(`The GPU device is lost: ${message}`);
-    });
-  }
-
-  private async recover(cause: string): Promise<void> {
-    const scene = this.scene;
-    if (!scene || this.recovering) return; // while a scene is loading, its own failure says it
-    this.recovering = true;
-    this.scene = null;
-    this.comparer.close();
-    this.open_?.pause();
-    const now = performance.now();
-    this.losses = [...this.losses.filter((then) => now - then < LOSSES.within), now];
-    try {
-      await this.inTurn(() => this.reviveOnce(scene, cause.replace(/[.\s]*$/, ".")));
-    } finally {
-      this.recovering = false;
-    }
-  }
-
-  private async reviveOnce(scene: LoadedScene, cause: string): Promise<void> {
-    if (this.losses.length > LOSSES.most) {
-      this.events.empty();
-      return this.events.failed(`The GPU device was lost ${this.losses.length} times within a minute; ` +
-        `reload the page to try again. (${cause})`);
-    }
-    this.events.opening("The GPU device was lost; opening it again …");
-    try {
-      const world = this.open_!;
-      await world.recover();
-      this.watch(world);
-      // The world starts again with the address's changes, those since undone included.
-      const set = () => this.state_.set;
-      await tell(world, scene, set, Object.keys({ ...scene.state.set, ...set() }).filter(isLive));
-      await this.settle(scene, this.state_);
-      this.events.said(`The GPU device was lost and has been opened again; the scene was restarted. (${cause})`);
-    } catch (reason) {
-      this.discard();
-      this.events.empty();
-      this.events.failed("The GPU device was lost and could not be opened again. " +
-        `Choose a scene or reload the page to try again. (${sentence(reason)})`);
-    }
+  private fail(reason: unknown): Promise<void> {
+    return this.recovery.fail(reason);
   }
 
   private inTurn(action: () => Promise<void>): Promise<void> {
@@ -465,11 +395,3 @@ export class Player {
 }
 
 const placesOf = (held: readonly HeldPin[]): PinPlace[] => held.map(({ rest, target }) => ({ rest, target }));
-
-/** Whether two cameras are one but for rounding. */
-function near(a: Camera, b: Camera): boolean {
-  const size = Math.hypot(...b.eye.map((value, axis) => value - b.target[axis]!));
-  return [a.eye, a.target].every((point, i) =>
-    point.every((value, axis) => Math.abs(value - (i === 0 ? b.eye : b.target)[axis]!) < 1e-4 * size)
-  );
-}
