@@ -27,6 +27,15 @@ std::vector<BendLink> bending_of(const Model& model) {
   return links;
 }
 
+void set_state(MassSpringSystem& system, std::span<const Vec4f> position, std::span<const Vec4f> velocity,
+               std::span<const Vec4f> creases) {
+  system.position.clear();
+  system.velocity.clear();
+  for (const Vec4f& p : position) system.position.push_back(p.xyz().to<double>());
+  for (const Vec4f& v : velocity) system.velocity.push_back(v.xyz().to<double>());
+  for (FabricCloth& cloth : system.fabrics) cloth.set_creases(creases);
+}
+
 }  // namespace
 
 std::vector<SpringLink> spring_links(const Model& model) {
@@ -56,13 +65,20 @@ MassSpringSystem elements_of(const Model& model) {
 EnergySums energies_at(MassSpringSystem& system, std::span<const Vec4f> position,
                        std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
                        const Vec3d& acceleration) {
-  system.position.clear();
-  system.velocity.clear();
-  for (const Vec4f& p : position) system.position.push_back(p.xyz().to<double>());
-  for (const Vec4f& v : velocity) system.velocity.push_back(v.xyz().to<double>());
-  for (FabricCloth& cloth : system.fabrics) cloth.set_creases(creases);
+  set_state(system, position, velocity, creases);
   system.acceleration = acceleration;
   return energies(system);
+}
+
+std::vector<Vec3d> forces_at(MassSpringSystem& system, std::span<const Vec4f> position,
+                             std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
+                             std::span<const double> mass, const Vec3d& acceleration) {
+  set_state(system, position, velocity, creases);
+  std::vector<Vec3d> forces = spring_forces(system);
+  const std::vector<Vec3d> gas = gas_forces(system, system.position);
+  for (std::size_t node = 0; node < forces.size(); ++node)
+    forces[node] += gas[node] + mass[node] * acceleration;
+  return forces;
 }
 
 Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& assets) {

@@ -35,6 +35,13 @@ EnergySums energies_at(MassSpringSystem& system, std::span<const Vec4f> position
                        std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
                        const Vec3d& acceleration);
 
+/// The force on each node of such a state by its elements, what closed cloths enclose, and its weight [N]: a node that
+/// is pinned, moved or grabbed is held with the opposite. That of air, drag and contact is not in it.
+/// Reads  as energies_at; mass [kg]: one a node, of pinned ones too.
+std::vector<Vec3d> forces_at(MassSpringSystem& system, std::span<const Vec4f> position,
+                             std::span<const Vec4f> velocity, std::span<const Vec4f> creases,
+                             std::span<const double> mass, const Vec3d& acceleration);
+
 /// What sim::World does with a scene, in the same order. Adds, multiplies, divides and takes roots only, in
 /// one order: the same bits on every machine, native or WebAssembly.
 class Simulation {

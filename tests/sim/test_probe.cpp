@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "contact_rig.hpp"
+#include "reference/simulation.hpp"
 #include "sim/probe.hpp"
 
 using namespace weft;
@@ -41,6 +42,40 @@ TEST_CASE("each row of a strip bears the weight of what hangs below it, by its w
         // The edges that bear are those above and below.
         CHECK(found->stretch == doctest::Approx(1 + kDensity * kGravity * below / 400).epsilon(0.01));
       }
+    }
+}
+
+TEST_CASE("pins hold a hanging sheet with its weight, and on its free nodes the forces are in balance") {
+  GpuFixture fixture;
+  const std::string springs = R"("pins": ["top_left", "top_right"], "damping": 0.02,
+      "stiffness": {"structural": 400, "shear": 100, "bend": 2})";
+  const std::string fabric =
+      R"("pins": ["top"], "fabric": {"warp": 400, "weft": 300, "shear": 60, "bending_warp": 1e-6, "damping": 0.01})";
+  for (const std::string& cloth : {springs, fabric})
+    for (const std::string solver : {"mass_spring", "multigrid"}) {
+      CAPTURE(solver);
+      CAPTURE(cloth);
+      auto world = world_of(fixture.device(), contact_scene(R"("drag": 6, "solver": {"kind": ")" + solver +
+                                                            R"("}, "contact": {"method": "none"},
+              "cloths": [{"grid": [12, 16], "size": [0.3, 0.4], "density": 0.4, )" +
+                                                            cloth + "}]"));
+      REQUIRE_OK(world->grab(12 * 16 - 1, world->model().host.rest_position[12 * 16 - 1]));  // and a hand
+      advance(*world, 150);
+      const Model& model = world->model().host;
+      const auto now = world->node_state();
+      REQUIRE_OK(now);
+      auto elements = reference::elements_of(model);
+      const Vec3d gravity = world->scene().gravity;
+      const std::vector<Vec3d> forces =
+          reference::forces_at(elements, now->position, now->velocity, now->creases, model.mass, gravity);
+      Vec3d held, free;
+      double weight = 0;
+      for (std::uint32_t node = 0; node < model.vertex_count(); ++node) {
+        (model.kinematic(node) || node == 12 * 16 - 1 ? held : free) += forces[node];
+        weight += kGravity * model.mass[node];
+      }
+      CHECK(length(held - Vec3d{0, -weight, 0}) < 0.03 * weight);
+      CHECK(length(free) < 0.03 * weight);
     }
 }
 

@@ -403,6 +403,24 @@ describe("a world", () => {
     expect((await world.snapshot()).hash).toBe(hash);
   });
 
+  it("probes the force on a node: at rest its weight, and hanging the pins hold the sheet's", async () => {
+    const world = await open({ set: { ...small, drag: 4 } });
+    const { inverseMasses } = await world.snapshot();
+    const nodes = [...inverseMasses.keys()];
+    const pinned = nodes.filter((node) => inverseMasses[node] === 0);
+    const weights: number[] = [];
+    for (const node of nodes) {
+      const { force, mass } = await world.probe(node);
+      expect(Math.hypot(force[0], force[1] + 9.81 * mass, force[2])).toBeLessThan(1e-3); // of f32 in stiff springs [N]
+      weights.push(9.81 * mass);
+    }
+    await world.step(400);
+    const held = [0, 0, 0];
+    for (const node of pinned) (await world.probe(node)).force.forEach((x, axis) => held[axis]! += x);
+    const weight = weights.reduce((sum, one) => sum + one, 0);
+    expect(Math.hypot(held[0]!, held[1]! + weight, held[2]!)).toBeLessThan(0.03 * weight);
+  });
+
   it("says where nodes are at rest, also once they have moved", async () => {
     const world = await open();
     const rest = await world.restPositions();

@@ -30,8 +30,9 @@ using weft::web::text;
 constexpr const char* kBuild = WEFT_VERSION ", the package";  // as saved states name what they come from
 
 Session* session = nullptr;
-std::optional<weft::reference::MassSpringSystem> elements;  // of the world, once it has been measured
-std::vector<std::byte> saved;                               // a state, until it has been fetched
+std::optional<weft::reference::MassSpringSystem>
+    elements;                  // of the world, once it has been measured or probed
+std::vector<std::byte> saved;  // a state, until it has been fetched
 std::vector<double>
     reported;  // of each frame that has reported since this was fetched: its number, its end [s], totals
 
@@ -121,14 +122,21 @@ weft::Result<void> time_passes(Session& of) {
   return {};
 }
 
+weft::reference::MassSpringSystem& elements_of(const weft::sim::World& world) {
+  if (!elements) elements = weft::reference::elements_of(world.model().host);
+  return *elements;
+}
+/// Gravity and the external force [m/s²].
+weft::Vec3d acceleration_of(const weft::sim::World& world) {
+  return world.scene().gravity + world.scene().external_force;
+}
+
 /// Leaves what frames.csv of weft run has of a frame, as JSON in `message`.
 weft::Result<void> measure(Session& of) {
   const weft::sim::World& world = *of.world();
   WEFT_TRY(nodes, world.node_state());
-  if (!elements) elements = weft::reference::elements_of(world.model().host);
-  const weft::reference::EnergySums e =
-      weft::reference::energies_at(*elements, nodes.position, nodes.velocity, nodes.creases,
-                                   world.scene().gravity + world.scene().external_force);
+  const weft::reference::EnergySums e = weft::reference::energies_at(
+      elements_of(world), nodes.position, nodes.velocity, nodes.creases, acceleration_of(world));
   const weft::Statistics& frame = world.last_report();
   message = nlohmann::ordered_json{{"frame", world.frame()},
                                    {"seconds", world.time()},
@@ -148,11 +156,20 @@ weft::Result<void> measure(Session& of) {
 
 /// Leaves what a node does as JSON in `message`.
 weft::Result<void> probe(Session& of, std::uint32_t node) {
-  WEFT_TRY(found, weft::sim::probe(*of.world(), node));
+  const weft::sim::World& world = *of.world();
+  WEFT_TRY(found, weft::sim::probe(world, node));
+  WEFT_TRY(nodes, world.node_state());
+  const weft::Vec3d force =
+      weft::reference::forces_at(elements_of(world), nodes.position, nodes.velocity, nodes.creases,
+                                 world.model().host.mass, acceleration_of(world))[node];
   const auto three = [](const weft::Vec3d& v) { return nlohmann::ordered_json{v.x, v.y, v.z}; };
-  message = nlohmann::ordered_json{{"position", three(found.position)}, {"rest", three(found.rest)},
-                                   {"velocity", three(found.velocity)}, {"mass", found.mass},
-                                   {"stretch", found.stretch},          {"tension", found.tension}}
+  message = nlohmann::ordered_json{{"position", three(found.position)},
+                                   {"rest", three(found.rest)},
+                                   {"velocity", three(found.velocity)},
+                                   {"mass", found.mass},
+                                   {"stretch", found.stretch},
+                                   {"tension", found.tension},
+                                   {"force", three(force)}}
                 .dump();
   return {};
 }

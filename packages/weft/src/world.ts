@@ -385,8 +385,8 @@ export class World {
   }
 
   /**
-   * What a node does at the end of the last frame. The state is read back, as for `measure`. Errors: "input", where
-   * there is no such node.
+   * What a node does at the end of the last frame. The state is read back and forces are summed up, as for `measure`.
+   * Errors: "input", where there is no such node.
    */
   async probe(node: number): Promise<Probe> {
     this.loaded();

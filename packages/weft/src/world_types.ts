@@ -144,6 +144,11 @@ export interface Probe {
   stretch: number;
   /** Force per width at rest, along the direction that bears most [N/m]; of a body with volume 0. */
   tension: number;
+  /**
+   * Of its elements, of what a closed cloth encloses, and of its weight [N]: a node that is pinned, moved or grabbed is
+   * held with the opposite. What air, drag and contact do to it is not in it.
+   */
+  force: Point;
 }
 
 /** What a world has gone on from. */

@@ -138,13 +138,14 @@ export class Probes {
 const metres = (value: number): string => value.toFixed(3);
 const apart = (a: readonly number[], b: readonly number[]): number => Math.hypot(...a.map((x, i) => x - b[i]!));
 
-function rowsOf(name: string, node: number, { position, velocity, stretch, tension }: Probe) {
+function rowsOf(name: string, node: number, { position, velocity, stretch, tension, force }: Probe) {
   return [
     [`${name}: node`, String(node)],
     ["Place", `${position.map(metres).join(", ")} m`],
     ["Speed", `${Math.hypot(...velocity).toFixed(3)} m/s`],
     ["Stretch", `${(100 * (stretch - 1)).toFixed(1)} %`],
     ["Tension", `${tension.toPrecision(3)} N/m`],
+    ["Force", `${Math.hypot(...force).toPrecision(3)} N`],
   ] as const;
 }
 
