@@ -28,12 +28,10 @@ Mat3 borne_by_springs(const Springs& springs, std::span<const Vec3d> position, s
 
 }  // namespace
 
-Result<Probe> probe(const World& world, std::uint32_t node) {
-  const Model& model = world.model().host;
+Result<Probe> probe(const Model& model, const NodeState& state, std::uint32_t node) {
   if (node >= model.vertex_count())
     return Error{ErrorKind::Input, "There is no node " + std::to_string(node) + "; there are " +
                                        std::to_string(model.vertex_count()) + ", from 0."};
-  WEFT_TRY(state, world.node_state());
   std::vector<Vec3d> position;
   for (const Vec4f& one : state.position) position.push_back({one.x, one.y, one.z});
   const Vec4f& velocity = state.velocity[node];

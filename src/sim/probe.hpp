@@ -2,7 +2,8 @@
 #pragma once
 
 #include "base/vec.hpp"
-#include "sim/world.hpp"
+#include "model/model.hpp"
+#include "sim/snapshot.hpp"
 
 namespace weft::sim {
 
@@ -17,9 +18,9 @@ struct Probe {
       0;  // force per width at rest, across the direction that bears most [N/m]; of a body with volume 0
 };
 
-/// Waits for the state. The tension is that of docs/tearing.md; of a grid of springs half of what
-/// those at the node bear, by its part of the cloth's area.
-/// Errors  Input: the world has no such node; as World::node_state.
-Result<Probe> probe(const World& world, std::uint32_t node);
+/// Of a state that World::node_state has given. The tension is that of docs/tearing.md; of a grid of springs half of
+/// what those at the node bear, by its part of the cloth's area.
+/// Errors  Input: the model has no such node.
+Result<Probe> probe(const Model& model, const NodeState& state, std::uint32_t node);
 
 }  // namespace weft::sim

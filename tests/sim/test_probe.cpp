@@ -12,6 +12,11 @@ namespace {
 constexpr double kDensity = 0.4, kStripLength = 0.6;  // kg/m², m
 constexpr std::uint32_t kColumns = 5, kRows = 16;
 
+Result<sim::Probe> probe_of(const sim::World& world, std::uint32_t node) {
+  WEFT_TRY(state, world.node_state());
+  return sim::probe(world.model().host, state, node);
+}
+
 /// A strip that hangs by its upper edge, with much drag.
 scene::Scene hanging_strip(const std::string& solver, const std::string& material) {
   return contact_scene(R"("drag": 6, "solver": {"kind": ")" + solver + R"("}, "contact": {"method": "none"},
@@ -33,7 +38,7 @@ TEST_CASE("each row of a strip bears the weight of what hangs below it, by its w
       auto world = world_of(fixture.device(), hanging_strip(solver, material));
       advance(*world, 90);
       for (const std::uint32_t row : {3U, 8U, 12U}) {  // from the top
-        const auto found = sim::probe(*world, row * kColumns + kColumns / 2);
+        const auto found = probe_of(*world, row * kColumns + kColumns / 2);
         REQUIRE_OK(found);
         const double below = kStripLength * (kRows - 1 - row) / (kRows - 1);
         CAPTURE(row);
@@ -90,7 +95,7 @@ TEST_CASE(
   const auto now = world->snapshot();
   REQUIRE_OK(now);
   for (const std::uint32_t node : {0U, 42U, kColumns * kRows - 1}) {
-    const auto found = sim::probe(*world, node);
+    const auto found = probe_of(*world, node);
     REQUIRE_OK(found);
     const Vec4f &x = now->position[node], &v = now->velocity[node];
     CHECK(found->position == Vec3d{x.x, x.y, x.z});
@@ -98,7 +103,7 @@ TEST_CASE(
     CHECK(found->rest == world->model().host.rest_position[node]);
     CHECK(found->mass == world->model().host.mass[node]);
   }
-  const auto none = sim::probe(*world, kColumns * kRows);
+  const auto none = probe_of(*world, kColumns * kRows);
   REQUIRE_FALSE(none);
   CHECK(none.error().kind == ErrorKind::Input);
   CHECK(none.error().message == "There is no node 80; there are 80, from 0.");

@@ -4,6 +4,7 @@ import { followSize, setFirstSize } from "../src/canvas_size.js";
 import { NumberField } from "../src/controls/fields.js";
 import { mark } from "../src/plot.js";
 import { choicesOf, meaningOf, rangeOf } from "../src/state/limits.js";
+import { svg } from "../src/svg.js";
 import { turnBy } from "../src/turning.js";
 import type { Schema } from "weft-cloth";
 import { Lane, type Turned } from "./lane.js";
@@ -66,13 +67,9 @@ export class Pane {
   private prepareButton(): void {
     this.remove.type = "button";
     this.remove.className = "icon";
-    const cross = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    cross.setAttribute("viewBox", "0 0 24 24");
-    cross.setAttribute("aria-hidden", "true");
-    path.setAttribute("d", "M6 6l12 12M18 6L6 18");
-    cross.append(path);
-    this.remove.append(cross);
+    this.remove.append(
+      svg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, svg("path", { d: "M6 6l12 12M18 6L6 18" })),
+    );
     this.remove.addEventListener("click", () => this.events.removed());
   }
 

@@ -1,6 +1,7 @@
 // Curves over linear axes, as SVG, with a line at the time that is shown. The readings beside it have the figures, so
 // to a screen reader it is one picture.
 import { significant } from "./digits.js";
+import { svg } from "./svg.js";
 
 const MARGIN = { left: 56, right: 12, top: 10, bottom: 40 };
 
@@ -18,13 +19,6 @@ export interface Curve {
 export interface Axes {
   readonly x: string;
   readonly y: string;
-}
-
-function svg(tag: string, attributes: Readonly<Record<string, string | number>>, ...children: (Node | string)[]) {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  made.append(...children);
-  return made;
 }
 
 /** Round values between the two, some five of them. */

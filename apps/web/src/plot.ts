@@ -1,6 +1,7 @@
 // A plot whose axes are both logarithmic, as SVG. Series differ by marker and dash as well as by colour, which the
 // style sheet gives to series-0, series-1 and so on. A table beside it has the figures, so to a screen reader it is one
 // picture.
+import { svg } from "./svg.js";
 
 export interface Series {
   /** Chooses colour, marker and dash: its place among all that there are. */
@@ -38,15 +39,6 @@ const MARKERS = ["M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0", "M-4.5-4.5h9v9h-9z", "M0
   "M-5-5L5 5M5-5L-5 5"];
 const DASHES = ["none", "7 3", "2 3", "9 3 2 3", "4 4"];
 const COLOURS = 8; // of the style sheet
-
-type Attributes = Readonly<Record<string, string | number>>;
-
-function svg(tag: string, attributes: Attributes, ...children: (Node | string)[]): SVGElement {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
-  made.append(...children);
-  return made;
-}
 
 /** What stands for a series in the legend. */
 export function mark(order: number): SVGElement {

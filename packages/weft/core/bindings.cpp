@@ -157,8 +157,8 @@ weft::Result<void> measure(Session& of) {
 /// Leaves what a node does as JSON in `message`.
 weft::Result<void> probe(Session& of, std::uint32_t node) {
   const weft::sim::World& world = *of.world();
-  WEFT_TRY(found, weft::sim::probe(world, node));
   WEFT_TRY(nodes, world.node_state());
+  WEFT_TRY(found, weft::sim::probe(world.model().host, nodes, node));
   const weft::Vec3d force =
       weft::reference::forces_at(elements_of(world), nodes.position, nodes.velocity, nodes.creases,
                                  world.model().host.mass, acceleration_of(world))[node];

@@ -202,8 +202,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     var across = n;  // the plane before a solid side
     if (contact.solid == 1u || contact.solid == 2u) {
       let side = solid_side_of(ids, contact.solid);
-      let may_turn = !acts && !is_self && gap > 0.0 && measured.radius == 0.0 && !is_shape_pair(ids);
-      if (may_turn) { across = turned_normal(ids, n, gap, thickness); }
+      if (!acts && !is_self && gap > 0.0) { across = turned_normal(ids, measured, thickness); }
       contact.place.w = reach_of(ids, side.first, side.last, side.toward, across, measured.radius);
       contact.solid_speed = solid_speed(ids, side.first, side.last, w, side.toward * across, r.surface);
     }

@@ -43,8 +43,7 @@ fn end_before_collider(ids : vec4u, words : vec4u) {
   }
   if (!is_far) { return; }
   let measured = measure(ids, words.w);
-  var n = measured.normal;
-  if (measured.radius == 0.0 && !is_shape_pair(ids)) { n = turned_normal(ids, n, measured.gap, thickness); }
+  let n = turned_normal(ids, measured, thickness);
   let reach = reach_of(ids, side.first, side.last, side.toward, n, measured.radius);
   for (var role = side.cloth_first; role < side.cloth_last; role++) {
     let vertex = ids[role] & kIdBits;

@@ -56,11 +56,6 @@ fn ends_along(ids : vec4u, n : vec3f) -> vec4f {
                dot(n, place_of(ids.w) - origin));
 }
 
-fn sides_apart(ids : vec4u, along : vec4f) -> f32 {
-  if (is_edge_pair(ids)) { return min(along.x, along.y) - max(along.z, along.w); }
-  return along.x - max(max(along.y, along.z), along.w);
-}
-
 fn ends_of(ids : vec4u, words : vec4u) -> Ends {
   let between = gap_of(words);
   var ends = Ends(false, vec3f(0.0), 0.0, between.x, between.y, vec4f(0.0), 0.0);

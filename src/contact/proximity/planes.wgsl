@@ -11,6 +11,12 @@ fn margin_of(gap : f32, thickness : f32) -> f32 {
 // How far apart along the normal they have to end, m: where they are nearer already, no nearer.
 fn least_apart(gap : f32, thickness : f32) -> f32 { return min(2.0 * margin_of(gap, thickness), gap); }
 
+// How far side A is beyond side B, by where each vertex is along a direction from B to A, m.
+fn sides_apart(ids : vec4u, along : vec4f) -> f32 {
+  if (is_edge_pair(ids)) { return min(along.x, along.y) - max(along.z, along.w); }
+  return along.x - max(max(along.y, along.z), along.w);
+}
+
 // How far beyond the plane before a solid side, which it must stay behind, a place lies, m; negative: it is on its own
 // side.
 fn beyond(contact : Contact, role : u32, place : vec3f) -> f32 {

@@ -20,19 +20,14 @@ fn solid_side_of(ids : vec4u, solid : u32) -> SolidSide {
   return SolidSide(middle, role_count(ids), 0u, middle, 1.0);
 }
 
-fn end_in_substep(ids : vec4u, id : u32) -> vec3f {
-  if (is_collider(id)) { return end_in_pair(ids, id); }
-  return end_of_way(id & kIdBits);
-}
-
 // The corners of a pair at the start of the substep and at its end, seen from the first at the start, m.
 struct MovingPair {
-  is_edges : bool,
+  ids : vec4u,
   start : array<vec3f, 4>,
   end : array<vec3f, 4>,
 }
 fn moving_pair(ids : vec4u) -> MovingPair {
-  var pair = MovingPair(is_edge_pair(ids), array<vec3f, 4>(), array<vec3f, 4>());
+  var pair = MovingPair(ids, array<vec3f, 4>(), array<vec3f, 4>());
   let origin = start_of(ids.x).xyz;
   for (var role = 0u; role < 4u; role++) {
     pair.start[role] = start_of(ids[role]).xyz - origin;
@@ -41,11 +36,8 @@ fn moving_pair(ids : vec4u) -> MovingPair {
   return pair;
 }
 
-// How far A is beyond B along a direction, m.
-fn apart_along(is_edges : bool, at : array<vec3f, 4>, n : vec3f) -> f32 {
-  let along = vec4f(dot(n, at[0]), dot(n, at[1]), dot(n, at[2]), dot(n, at[3]));
-  if (is_edges) { return min(along.x, along.y) - max(along.z, along.w); }
-  return along.x - max(max(along.y, along.z), along.w);
+fn apart_along(ids : vec4u, at : array<vec3f, 4>, n : vec3f) -> f32 {
+  return sides_apart(ids, vec4f(dot(n, at[0]), dot(n, at[1]), dot(n, at[2]), dot(n, at[3])));
 }
 
 // A direction from B to A, and how far they are apart along it at the end, m.
@@ -56,8 +48,8 @@ struct Apart {
 // The better of one and another direction, which has to separate them at the start.
 fn farther_apart(pair : MovingPair, best : Apart, direction : vec3f, least : f32) -> Apart {
   let n = direction / max(length(direction), kLeast);
-  if (!(apart_along(pair.is_edges, pair.start, n) >= least)) { return best; }
-  let at_end = apart_along(pair.is_edges, pair.end, n);
+  if (!(apart_along(pair.ids, pair.start, n) >= least)) { return best; }
+  let at_end = apart_along(pair.ids, pair.end, n);
   if (at_end <= best.at_end) { return best; }
   return Apart(n, at_end);
 }
@@ -65,17 +57,20 @@ fn farther_apart(pair : MovingPair, best : Apart, direction : vec3f, least : f32
 // Equation (6j): where a way is so long that it may come to the plane along n, that direction along which the sides end
 // farthest apart, of n, the normal of the features, the direction between the closest points at the end, and the one
 // half way to it. Not of spheres, capsules and planes.
-fn turned_normal(ids : vec4u, n : vec3f, gap : f32, thickness : f32) -> vec3f {
+fn turned_normal(ids : vec4u, measured : Measured, thickness : f32) -> vec3f {
+  let n = measured.normal;
+  if (measured.radius > 0.0 || is_shape_pair(ids)) { return n; }
   let pair = moving_pair(ids);
   var longest = 0.0;
   for (var role = 0u; role < 4u; role++) { longest = max(longest, distance(pair.start[role], pair.end[role])); }
-  if (longest < kTurningWay * gap) { return n; }
-  let least = margin_before_solid(gap, thickness);
-  let near = closest_of_pair(pair.is_edges, pair.end[0], pair.end[1], pair.end[2], pair.end[3]);
+  if (longest < kTurningWay * measured.gap) { return n; }
+  let least = margin_before_solid(measured.gap, thickness);
+  let edges = is_edge_pair(ids);
+  let near = closest_of_pair(edges, pair.end[0], pair.end[1], pair.end[2], pair.end[3]);
   let then = near.apart / max(length(near.apart), kLeast);
-  let first = pair.start[1] - select(pair.start[2], pair.start[0], pair.is_edges);
+  let first = pair.start[1] - select(pair.start[2], pair.start[0], edges);
   let across = cross(first, pair.start[3] - pair.start[2]);  // of the edges, or the triangle
-  var best = Apart(n, apart_along(pair.is_edges, pair.end, n));
+  var best = Apart(n, apart_along(pair.ids, pair.end, n));
   best = farther_apart(pair, best, select(-across, across, dot(across, n) > 0.0), least);
   best = farther_apart(pair, best, then, least);
   return farther_apart(pair, best, n + then, least).normal;

@@ -1,16 +1,15 @@
 // The rectangle over the picture in which a drag pins all nodes.
 import { element } from "../elements.js";
 import type { Place } from "../hand.js";
+import { put, svg } from "../svg.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const SHOWN = 600; // one that a key has drawn [ms]
 
 export class PinFrame {
   private readonly layer = element("pins", SVGSVGElement);
-  private readonly rectangle = document.createElementNS(SVG, "rect");
+  private readonly rectangle = svg("rect", { class: "frame" });
 
   constructor() {
-    this.rectangle.setAttribute("class", "frame");
     this.hide();
     this.layer.append(this.rectangle);
   }
@@ -18,9 +17,8 @@ export class PinFrame {
   /** Between two places of the page [CSS pixels]. */
   show(a: Place, b: Place): void {
     const { left, top } = this.layer.getBoundingClientRect();
-    const numbers = { x: Math.min(a.x, b.x) - left, y: Math.min(a.y, b.y) - top, width: Math.abs(a.x - b.x),
-      height: Math.abs(a.y - b.y) };
-    for (const [name, value] of Object.entries(numbers)) this.rectangle.setAttribute(name, String(value));
+    put(this.rectangle, { x: Math.min(a.x, b.x) - left, y: Math.min(a.y, b.y) - top, width: Math.abs(a.x - b.x),
+      height: Math.abs(a.y - b.y) });
     this.rectangle.style.display = "";
   }
 

@@ -4,8 +4,8 @@ import type { Point, World } from "weft-cloth";
 import { element } from "../elements.js";
 import type { Place } from "../hand.js";
 import { onLayer } from "../places.js";
+import { put, svg } from "../svg.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const MANY = 50; // markers, of which each is smaller
 const REACH = 10; // how far from its middle a marker is still meant [CSS pixels]
 
@@ -25,8 +25,7 @@ export class PinMarkers {
     const known = this.markers.get(node);
     if (known) known.target = target;
     else {
-      const circle = document.createElementNS(SVG, "circle");
-      circle.setAttribute("r", "6");
+      const circle = svg("circle", { r: 6 });
       this.markers.set(node, { circle, target, at: { x: NaN, y: NaN } });
       this.layer.append(circle);
     }
@@ -60,8 +59,7 @@ export class PinMarkers {
     const place = onLayer(this.layer, world);
     for (const marker of this.markers.values()) {
       marker.at = place(marker.target);
-      marker.circle.setAttribute("cx", String(marker.at.x));
-      marker.circle.setAttribute("cy", String(marker.at.y));
+      put(marker.circle, { cx: marker.at.x, cy: marker.at.y });
     }
   }
 }

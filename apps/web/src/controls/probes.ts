@@ -5,11 +5,11 @@ import type { Place } from "../hand.js";
 import { Paced } from "../paced.js";
 import { onLayer } from "../places.js";
 import type { Player } from "../player.js";
+import { put, svg } from "../svg.js";
 import { ClickMode } from "./click_mode.js";
 import { fill } from "./readings.js";
 
 const PACE = { calm: 30, share: 0.2 }; // of measurements
-const SVG = "http://www.w3.org/2000/svg";
 const NAMES = ["A", "B"] as const; // there are no more than these
 
 interface Mark {
@@ -128,8 +128,7 @@ export class Probes {
   }
 
   private part<Name extends "circle" | "line" | "text">(name: Name, kind: string): SVGElementTagNameMap[Name] {
-    const made = document.createElementNS(SVG, name);
-    if (kind !== "") made.setAttribute("class", kind);
+    const made: SVGElementTagNameMap[Name] = svg(name, kind === "" ? {} : { class: kind });
     this.layer.append(made);
     return made;
   }
@@ -150,7 +149,7 @@ function rowsOf(name: string, node: number, { position, velocity, stretch, tensi
 }
 
 function place(part: SVGElement, numbers: Readonly<Record<string, number>>): void {
-  for (const [name, value] of Object.entries(numbers)) part.setAttribute(name, value.toFixed(1));
+  put(part, Object.fromEntries(Object.entries(numbers).map(([name, value]) => [name, value.toFixed(1)])));
 }
 
 /** A reset sews and heals: the node may be gone. */

@@ -2,7 +2,7 @@
 import { schemaOf, type Schema } from "weft-cloth";
 import type { Value } from "./page_state.js";
 
-const DIGITS = 4; // of a coordinate in metres
+export const DIGITS = 4; // of a coordinate in metres
 
 /** What the description of a key ends with, in brackets; "" for a plain number. */
 export function unitOf(schema: Schema): string {

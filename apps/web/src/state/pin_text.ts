@@ -1,10 +1,9 @@
 // Pins as an address has them. A few are six numbers each, for whoever writes an address by hand. More are packed:
 // whole tenths of a millimetre, each less what the two pins before let expect, as neighbours on a cloth differ little.
-import { plainPoint } from "./limits.js";
+import { DIGITS, plainPoint } from "./limits.js";
 import type { PinPlace } from "./page_state.js";
 
 const BETWEEN = ":";
-const DIGITS = 4; // of a coordinate in metres
 const UNIT = 10 ** DIGITS;
 const MOST_PLAIN = 1000; // characters; longer ones are packed
 const MOST = 6000; // characters; many servers take no address of more than 8,000

@@ -2,14 +2,13 @@
 // is checked by the core's schema; what does not pass is left out, and said.
 import { VIEWS, type Camera, type Schema, type View } from "weft-cloth";
 import { COMPARED, MIDDLE, NODES, withOther } from "./comparison.js";
-import { parsed, parsedBy, plainPoint } from "./limits.js";
+import { DIGITS, parsed, parsedBy, plainPoint } from "./limits.js";
 import { plain, type Comparison, type PageState, type PinPlace, type Value } from "./page_state.js";
 import { KEYS, SOLVER } from "./parameters.js";
 import { numbersOf, textOf } from "./pin_text.js";
 import { Refusals } from "./refusals.js";
 
 const VERSION = "1";
-const DIGITS = 4; // of a camera's coordinates, in metres
 const BETWEEN = ":"; // parts of a comparison
 const DIVIDER: Schema = { type: "integer", minimum: 0, maximum: 100, description: "Of its way, from the left [%]." };
 

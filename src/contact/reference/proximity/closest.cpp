@@ -25,6 +25,12 @@ ClosestSegments closest_segments(const Vec3d& a0, const Vec3d& a1, const Vec3d& 
   return best;
 }
 
+Vec3d offset_between(std::uint32_t count_a, std::uint32_t count_b, const std::array<Vec3d, 4>& at) {
+  if (count_b == 1) return at[0] - at[1];
+  if (count_a == 2) return closest_segments(at[0], at[1], at[2], at[3]).offset;
+  return closest_on_triangle(at[0], at[1], at[2], at[3]).offset;
+}
+
 Gap gap_of(const Vec3d& offset, double radius) {
   const double distance = length(offset);
   return {distance > 0 ? offset / distance : Vec3d{0, 1, 0}, distance - radius};

@@ -1,6 +1,9 @@
 // Closest points of the features that touch: vertex and triangle, edge and edge, vertex and plane, in double.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "base/vec.hpp"
 #include "mesh/closest.hpp"
 
@@ -23,6 +26,10 @@ struct ClosestSegments {
 /// Both points are inside their segments only where no end is as near: parallel segments have many
 /// closest points, and one with an end is taken.
 ClosestSegments closest_segments(const Vec3d& a0, const Vec3d& a1, const Vec3d& b0, const Vec3d& b1);
+
+/// From the closest point of side B to that of side A [m]: `at` has the corners of A, then of B, of two vertices, a
+/// vertex and a triangle, or two edges.
+Vec3d offset_between(std::uint32_t count_a, std::uint32_t count_b, const std::array<Vec3d, 4>& at);
 
 /// How far two surfaces are apart, and along which line.
 struct Gap {

@@ -10,13 +10,6 @@ namespace {
 
 using Corners = std::array<Vec3d, 4>;  // of A, then of B
 
-/// From the closest point of side B to that of side A [m].
-Vec3d between(const ClothPair& pair, const Corners& at) {
-  if (pair.count_b == 1) return at[0] - at[1];
-  if (pair.count_a == 2) return closest_segments(at[0], at[1], at[2], at[3]).offset;
-  return closest_on_triangle(at[0], at[1], at[2], at[3]).offset;
-}
-
 /// How far A is beyond B in what `along` says of each corner [m].
 template <class Along>
 double apart(const ClothPair& pair, const Along& along) {
@@ -34,7 +27,7 @@ bool may_meet(const ClothPair& pair, std::span<const Vec3d> start, std::span<con
     to[k] = end[pair.nodes[k]] - start[pair.nodes[0]];
   }
   if (apart(pair, [&](std::uint32_t k) { return dot(pair.normal, to[k]); }) >= pair.apart) return false;
-  const Vec3d offset = between(pair, to);
+  const Vec3d offset = offset_between(pair.count_a, pair.count_b, to);
   if (!(length(offset) > 0)) return true;
   const Vec3d then = offset / length(offset);
   const double at_end = apart(pair, [&](std::uint32_t k) { return dot(then, to[k]); });

@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kLeast = 1e-300;  // in place of zero, of what is divided by
 
-/// From the closest point of side B to that of side A at the end [m].
-Vec3d between_ends(const MovingPair& pair) {
-  const std::array<Vec3d, 4>& at = pair.end;
-  if (pair.count_a == 2) return closest_segments(at[0], at[1], at[2], at[3]).offset;
-  return closest_on_triangle(at[0], at[1], at[2], at[3]).offset;
-}
-
 /// How far A is beyond B along a direction [m].
 double apart_along(const MovingPair& pair, const std::array<Vec3d, 4>& at, const Vec3d& direction) {
   BothSides sides{pair.count_a, pair.count_b};
@@ -37,7 +30,8 @@ Vec3d turned_normal(const MovingPair& pair, const Vec3d& normal, double distance
   double longest = 0;
   for (std::uint32_t k = 0; k < 4; ++k) longest = std::max(longest, length(pair.end[k] - pair.start[k]));
   if (longest < kTurningWay * distance) return normal;
-  const Vec3d offset = between_ends(pair), across = normal_of_features(pair);
+  const Vec3d offset = offset_between(pair.count_a, pair.count_b, pair.end),
+              across = normal_of_features(pair);
   const Vec3d then = (1 / std::max(length(offset), kLeast)) * offset;
   Vec3d best = normal;
   double farthest = apart_along(pair, pair.end, normal);
