@@ -61,13 +61,14 @@ task_view() {
   build/weft view "$scene" "${options[@]}"
 }
 
-# The page and its package: the core as WebAssembly, TypeScript over it, the built page in apps/web/dist.
+# The page and its package: the core and the reference as WebAssembly, TypeScript over them, the built page in
+# apps/web/dist.
 build_web() {
   setup_packages "${COMPILE_PACKAGES[@]}" "${WEB_PACKAGES[@]}"
   setup_npm
   export NODE_PATH=/usr/share/nodejs # where Debian keeps what Emscripten's optimizer needs
   configure web
-  compile web core
+  compile web core reference
   npm run --silent build --workspace weft-cloth
   npx --no vite build apps/web --logLevel warn >&2
 }

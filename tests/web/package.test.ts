@@ -120,7 +120,8 @@ it("is packed with its licence, its notices, types and the module, and nothing e
     .toEqual(["LICENSE", "NOTICE", "README.md", "THIRD_PARTY.md", "package.json"]);
   expect(paths).toEqual(
     expect.arrayContaining(
-      ["index.js", "index.d.ts", "core_module.js", "core_module.wasm"].map((name) => `build/${name}`),
+      ["index.js", "index.d.ts", "core_module.js", "core_module.wasm", "reference_module.js", "reference_module.wasm"]
+        .map((name) => `build/${name}`),
     ),
   );
 });

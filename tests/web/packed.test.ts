@@ -47,8 +47,9 @@ describe("the packed package", () => {
     const scripts = readdirSync(join(ROOT, "packages/weft/src")).filter((name) => !name.endsWith(".d.ts"))
       .map((name) => name.replace(".ts", ""));
     expect(files.toSorted()).toEqual(
-      ["LICENSE", "NOTICE", "THIRD_PARTY.md", "README.md", "package.json", "build/core_module.js",
-        "build/core_module.wasm", ...scripts.flatMap((name) => [`build/${name}.js`, `build/${name}.d.ts`])].toSorted(),
+      ["LICENSE", "NOTICE", "THIRD_PARTY.md", "README.md", "package.json",
+        ...["core", "reference"].flatMap((name) => [`build/${name}_module.js`, `build/${name}_module.wasm`]),
+        ...scripts.flatMap((name) => [`build/${name}.js`, `build/${name}.d.ts`])].toSorted(),
     );
     for (const name of ["LICENSE", "NOTICE", "THIRD_PARTY.md"]) {
       expect(readFileSync(join(installed, name), "utf8")).toBe(readFileSync(join(ROOT, name), "utf8"));

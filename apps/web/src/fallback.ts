@@ -1,5 +1,4 @@
 import { button, element } from "./elements.js";
-import { ReferencePlayer } from "./reference_player.js";
 import type { Missing } from "./support.js";
 
 /** Says what is missing and what to do in place of the canvas; below, the cloth as the CPU computes it. */
@@ -19,6 +18,7 @@ async function showReference(): Promise<void> {
   const play = button("reference-play");
   place.hidden = false; // its canvas needs a size
   try {
+    const { ReferencePlayer } = await import("./reference_player.js"); // few pages need it
     const player = await ReferencePlayer.create(element("reference-canvas", HTMLCanvasElement), {
       playing(on) {
         play.dataset["playing"] = String(on);

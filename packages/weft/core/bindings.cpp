@@ -196,8 +196,6 @@ weft::Result<void> open_state(Session& of, std::span<const std::byte> bytes) {
 
 extern "C" {
 
-EMSCRIPTEN_KEEPALIVE const char* weft_message() { return message.data(); }
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_message_size() { return static_cast<std::uint32_t>(message.size()); }
 /// Bytes of the module's heap that are in use.
 EMSCRIPTEN_KEEPALIVE double weft_heap_bytes() {
   return static_cast<double>(static_cast<unsigned>(mallinfo().uordblks));
@@ -213,10 +211,6 @@ EMSCRIPTEN_KEEPALIVE void weft_close() {
   delete session;
   session = nullptr;
   weft::web::meshes().clear();
-}
-EMSCRIPTEN_KEEPALIVE std::uint32_t weft_add_mesh(const char* name, std::uint32_t name_size,
-                                                 const std::byte* bytes, std::uint32_t size) {
-  return code(weft::web::meshes().add(text(name, name_size), {bytes, size}));
 }
 /// Sleeps.
 EMSCRIPTEN_KEEPALIVE std::uint32_t weft_load(const char* scene, std::uint32_t scene_size, const char* changes,

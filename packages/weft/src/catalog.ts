@@ -69,7 +69,7 @@ let read: Promise<Catalog> | null = null;
 
 /** Read once, from a module that is dropped again. */
 export function catalog(): Promise<Catalog> {
-  read ??= Core.create(undefined).then((core) => {
+  read ??= Core.create().then((core) => {
     const told = (name: string): unknown => {
       core.call(name);
       return JSON.parse(core.text());

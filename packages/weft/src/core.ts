@@ -1,9 +1,10 @@
-// The WebAssembly module as typed calls (packages/weft/core/bindings.cpp is the other side). What scenes
-// are, world.ts and reference.ts know.
+// A WebAssembly module as typed calls (packages/weft/core is the other side). What scenes are, world.ts and
+// reference.ts know.
 import createCore from "./core_module.js";
 import { WeftError } from "./error.js";
 import { GpuBackend } from "./gpu_backend.js";
 import { ERROR_KINDS, type Memory } from "./gpu_tables.js";
+import { ModuleFile } from "./module_file.js";
 import { unpacked, type Bytes } from "./scene.js";
 
 /** The module as Emscripten makes it. */
@@ -14,26 +15,8 @@ export interface CoreModule extends Memory {
   [call: `_weft_${string}`]: (...args: number[]) => number;
 }
 
-const WASM = new URL("core_module.wasm", import.meta.url);
-
-/** The module's bytes: from the network, or in Node from the file. */
-async function load(): Promise<BufferSource | Response> {
-  if (WASM.protocol !== "file:") return fetch(WASM);
-  const name = "node:fs/promises"; // a variable, so that bundlers for the browser leave it alone
-  const { readFile } = (await import(/* @vite-ignore */ /* webpackIgnore: true */ name)) as {
-    readFile(file: URL): Promise<Uint8Array<ArrayBuffer>>;
-  };
-  return readFile(WASM);
-}
-
-let compiled: Promise<WebAssembly.Module> | null = null;
-
-async function compile(): Promise<WebAssembly.Module> {
-  const source = await load();
-  if (!(source instanceof Response)) return WebAssembly.compile(source);
-  if (!source.ok) throw new WeftError("input", `The file ${WASM.pathname} cannot be fetched: HTTP ${source.status}.`);
-  return WebAssembly.compile(await source.arrayBuffer());
-}
+/** What drives a GPU, reads files and has the catalogue. */
+const CORE = new ModuleFile(new URL("core_module.wasm", import.meta.url), createCore);
 
 export class Core {
   private last: Promise<unknown> = Promise.resolve(); // of the turns
@@ -44,26 +27,10 @@ export class Core {
 
   private constructor(readonly module: CoreModule, readonly backend: GpuBackend) {}
 
-  static async create(gpu: GPU | undefined, device?: GPUDevice): Promise<Core> {
-    compiled ??= compile();
-    const wasm = await compiled.catch((reason: unknown) => {
-      compiled = null; // the next try fetches again
-      throw reason instanceof WeftError ?
-        reason :
-        new WeftError("failure", `The core cannot be loaded: ${String(reason)}.`);
-    });
+  /** Starts a module of this package. */
+  static async create(gpu?: GPU, device?: GPUDevice, file = CORE): Promise<Core> {
     const backend = new GpuBackend(gpu, device);
-    const module = await new Promise<CoreModule>((resolve, reject) => {
-      createCore({
-        gpu: backend,
-        instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-          WebAssembly.instantiate(wasm, imports).then(done, (reason: unknown) =>
-            // most likely there is no room for it
-            reject(new WeftError("out-of-memory", `The core cannot be started: ${String(reason)}.`)));
-          return {};
-        },
-      }).then(resolve, reject);
-    });
+    const module = await file.start({ gpu: backend });
     backend.attach(module);
     return new Core(module, backend);
   }

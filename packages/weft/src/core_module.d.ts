@@ -1,5 +1,5 @@
 // Emscripten's output (packages/weft/core/CMakeLists.txt): build/core_module.js.
-import type { CoreModule } from "./core.js";
+import type { Loader } from "./module_file.js";
 
-declare function createCore(options: Record<string, unknown>): Promise<CoreModule>;
+declare const createCore: Loader;
 export default createCore;

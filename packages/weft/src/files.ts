@@ -23,7 +23,7 @@ export interface MeshFile {
  * cloth cannot use, triangles without area and vertices without triangles.
  */
 export async function readMesh(name: string, bytes: Bytes, { cleaned = false } = {}): Promise<MeshFile> {
-  const core = await Core.create(undefined);
+  const core = await Core.create();
   core.withBytes(await unpacked(bytes), (at, size) => core.check("read_mesh", name, at, size, cleaned ? 1 : 0));
   const facts = JSON.parse(core.text()) as Omit<MeshFile, "ply">;
   const at = core.call("mesh_file") >>> 0;
@@ -39,7 +39,7 @@ export interface SceneSize {
 
 /** Reads and checks a scene and its meshes as `createWorld` would, but makes nothing. */
 export async function checkScene(scene: Scene, meshes: Readonly<Record<string, Bytes>> = {}): Promise<SceneSize> {
-  const core = await Core.create(undefined);
+  const core = await Core.create();
   await core.addMeshes(meshes);
   core.check("check_scene", sceneText(scene));
   return JSON.parse(core.text()) as SceneSize;

@@ -1,8 +1,12 @@
 // A scene on the CPU, in double: slow, but with the same bits in every browser, and without WebGPU.
 import { Core } from "./core.js";
 import { WeftError } from "./error.js";
+import { ModuleFile } from "./module_file.js";
+import createReferenceModule from "./reference_module.js";
 import { changeLines, sceneText, type Scene } from "./scene.js";
 import type { SceneOptions, WorldInfo } from "./world_types.js";
+
+const REFERENCE = new ModuleFile(new URL("reference_module.wasm", import.meta.url), createReferenceModule);
 
 export interface ReferenceOptions extends SceneOptions {
   scene: Scene;
@@ -11,9 +15,9 @@ export interface ReferenceOptions extends SceneOptions {
 /** What was loaded. */
 export type ReferenceInfo = Omit<WorldInfo, "adapter" | "gpuBytes" | "timestamps" | "view" | "refusedViews">;
 
-/** Builds the scene at rest. Needs no WebGPU. */
+/** Builds the scene at rest. Needs no WebGPU, and loads a module of its own. */
 export async function createReference({ scene, meshes = {}, set = {} }: ReferenceOptions): Promise<Reference> {
-  const core = await Core.create(undefined);
+  const core = await Core.create(undefined, undefined, REFERENCE);
   await core.addMeshes(meshes);
   core.check("reference_load", sceneText(scene), changeLines(set));
   return new Reference(core);
