@@ -23,18 +23,17 @@ constexpr double kUlp = 1.0 / 16777216;  // 2^-24
 struct Way {
   std::string solver;
   int moves = 1;
-  bool momentum = true, angular_momentum = false, neo_hookean = true;
+  bool angular_momentum = false, neo_hookean = true;
 };
-const Way kWays[] = {
-    {R"("solver": {"kind": "mass_spring"})", 1, true, true, true},
-    {R"("solver": {"kind": "vbd", "iterations": 1})", 1, false},
-    {R"("solver": {"kind": "vbd", "iterations": 10})", 1, false},
-    {R"("solver": {"kind": "xpbd", "iterations": 1})", 2},
-    {R"("solver": {"kind": "xpbd", "iterations": 5})", 10},
-    {R"("solver": {"kind": "pbd", "iterations": 2})", 4},
-    {R"("solver": {"kind": "projective_dynamics", "iterations": 20})", 20, true, false, false},
-    {R"("solver": {"kind": "multigrid", "residual": 1e-4})"},
-    {R"("solver": {"kind": "fem", "residual": 1e-4})"}};
+const Way kWays[] = {{R"("solver": {"kind": "mass_spring"})", 1, true},
+                     {R"("solver": {"kind": "vbd", "iterations": 1})", 1, true},
+                     {R"("solver": {"kind": "vbd", "iterations": 10})", 1, true},
+                     {R"("solver": {"kind": "xpbd", "iterations": 1})", 2},
+                     {R"("solver": {"kind": "xpbd", "iterations": 5})", 10},
+                     {R"("solver": {"kind": "pbd", "iterations": 2})", 4},
+                     {R"("solver": {"kind": "projective_dynamics", "iterations": 20})", 20, true, false},
+                     {R"("solver": {"kind": "multigrid", "residual": 1e-4})"},
+                     {R"("solver": {"kind": "fem", "residual": 1e-4})"}};
 const std::string kEnergies[] = {"neo_hookean", "corotated"};
 
 /// Each way with each energy that it takes.
@@ -159,7 +158,7 @@ TEST_CASE(
   CHECK(worst < 0.03);
 }
 
-TEST_CASE("a free body that spins and swings keeps its momentum, and explicit steps its angular momentum") {
+TEST_CASE("a free body that spins and swings keeps its momentum, by three methods its angular momentum") {
   GpuFixture fixture;
   by_each([&](const Way& method, const std::string& energy) {
     const auto scene = scene_of(method.solver + R"(, "gravity": [0, 0, 0], "bodies": [)" +
@@ -183,11 +182,11 @@ TEST_CASE("a free body that spins and swings keeps its momentum, and explicit st
                  turn = length(after.angular - before.angular) / length(before.angular);
     MESSAGE(method.solver << ", " << energy << ": momentum " << drift / (total * 0.33)
                           << ", angular momentum " << turn);
-    // Each step rounds each velocity of about 1 m/s, and so does each projection of the 24 tetrahedra at a node; what
-    // the sweeps of vbd leave of a step that seeks its end is no balance.
-    CHECK(drift < total * (method.momentum ? kSteps * 24 * method.moves * kUlp : 0.01));
-    // x and v of semi-implicit steps are of one moment, so x × Δv is exact but for rounding. Others turn what they
-    // found at the ways so far.
+    // Each step rounds each velocity of about 1 m/s, and so does each projection of the 24 tetrahedra at a node.
+    CHECK(drift < total * kSteps * 24 * method.moves * kUlp);
+    // x and v of semi-implicit steps are of one moment, so x × Δv is exact but for rounding; vbd and
+    // projective dynamics see to it. Others
+    // turn what they found at the ways so far.
     CHECK(turn < (method.angular_momentum ? 1e-3 : 0.1));
   });
 }
@@ -215,11 +214,10 @@ std::size_t inside_out(const tet::Tets& tets, const std::vector<Vec3d>& places) 
 TEST_CASE(
     "a body that was flattened, mirrored or scattered comes back to its shape; corotated, from anywhere") {
   GpuFixture fixture;
-  const Way ways[] = {
-      {R"("solver": {"kind": "vbd", "iterations": 20})"},
-      {R"("solver": {"kind": "xpbd", "iterations": 4})"},
-      {R"("solver": {"kind": "projective_dynamics", "iterations": 20})", 1, true, false, false},
-      {R"("solver": {"kind": "fem"})"}};
+  const Way ways[] = {{R"("solver": {"kind": "vbd", "iterations": 20})"},
+                      {R"("solver": {"kind": "xpbd", "iterations": 4})"},
+                      {R"("solver": {"kind": "projective_dynamics", "iterations": 20})", 1, false, false},
+                      {R"("solver": {"kind": "fem"})"}};
   for (const Way& way : ways)
     for (const std::string& energy : kEnergies) {
       if (!way.neo_hookean && energy == kEnergies[0]) continue;
@@ -380,12 +378,13 @@ TEST_CASE("no sweep of vertex block descent over a neo-Hookean body brings up wh
   SolverRig rig(fixture.device(), scene, 1.0 / 60);
   const Model& model = rig.model().host;
   reference::MassSpringSystem system = rig.reference();
+  system.inverse_mass[0] = 0;  // a body that goes free moves as a whole after its sweeps: equation 8
   Random random(4);
   for (int trial = 0; trial < 200; ++trial) {
     for (std::size_t n = 0; n < system.position.size(); ++n)
       for (int axis = 0; axis < 3; ++axis) {
         system.position[n][axis] = model.rest_position[n][axis] + random.uniform(-0.2, 0.2);
-        system.velocity[n][axis] = random.uniform(-20, 20);
+        system.velocity[n][axis] = n == 0 ? 0 : random.uniform(-20, 20);
       }
     const std::vector<Vec3d> start = system.position, velocity = system.velocity;
     const auto objective = [&](const std::vector<Vec3d>& x) {

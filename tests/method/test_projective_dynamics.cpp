@@ -172,11 +172,10 @@ TEST_CASE("a projective_dynamics strip at rest hangs as its springs say, whateve
 }
 
 TEST_CASE(
-    "a free projective_dynamics sheet keeps its momentum, and its angular momentum as the step shrinks") {
+    "a free projective_dynamics sheet keeps its momentum and its angular momentum, however long the step") {
   GpuFixture fixture;
   // One iteration gives less than all of a spring's pull, until κ is small.
   for (const auto& [iterations, longest] : {std::pair{1, 2.5e-4}, {20, 2e-3}}) {
-    double before = HUGE_VAL;
     for (const double h : {longest, longest / 2, longest / 4}) {
       SolverRig rig(fixture.device(), scene_of(by(iterations) + R"("gravity": [0, 0, 0], "cloths": [{
           "grid": [14, 11], "size": [1.0, 0.8], "density": 0.2, "damping": 0.002,
@@ -205,8 +204,7 @@ TEST_CASE(
           length(angular_momentum(end) - angular_momentum(start)) / length(angular_momentum(start));
       MESSAGE(iterations << " iterations, h " << h << " s: momentum off by " << length(change) / size
                          << ", angular momentum by " << lost);
-      CHECK(lost < 0.6 * before);  // of first order: half
-      before = lost;
+      CHECK(lost < 1e-5);
     }
   }
 }

@@ -263,8 +263,8 @@ TEST_CASE(
       return length(change) / fall;
     };
     CHECK(drift(1e-12) < 1e-8);
-    const double by_default = drift(scene::Solver{}.residual);  // what is left acts as a force on the whole
+    const double by_default = drift(scene::Solver{}.residual);
     MESSAGE("as solved by default momentum drifts by " << by_default << " of the weight");
-    CHECK(by_default < 2e-3);
+    CHECK(by_default < 1e-11);
   }
 }

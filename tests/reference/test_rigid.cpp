@@ -381,9 +381,8 @@ TEST_CASE(
                                       {"projective_dynamics", 10},
                                       {"vbd", 8},
                                       {"multigrid", 8},
-                                      {"multigrid", 72}}};
+                                      {"multigrid", 24}}};
   for (const double ratio : {0.01, 1.0, 100.0}) {
-    double off_before = 0;  // by the way before
     for (const auto& [solver, substeps] : kWays) {
       CAPTURE(ratio);
       CAPTURE(substeps);
@@ -403,9 +402,7 @@ TEST_CASE(
         turned = std::max(turned, length(now[1] - before[1]) / (0.1 * momentum));
       }
       const std::string kind = solver;
-      const bool solves = kind == "multigrid" || kind == "vbd";  // iterates, and leaves a part
-      if (!solves) CHECK(off < 1e-11);
-      if (kind == "multigrid" && substeps == 72) CHECK(off < 0.5 * off_before);
+      CHECK(off < 1e-11);
       if (kind == "mass_spring") {
         // Pushes (5a), which are in no velocity, take both sides by a part of the thickness along.
         CHECK(turned < 0.5 * 0.005 / 0.1);
@@ -415,7 +412,6 @@ TEST_CASE(
       // What one sweep leaves of the springs is energy that a pbd sheet gives or takes, contact or not.
       if (kind != "xpbd" && kind != "pbd") CHECK(most < first * (1 + 1e-9));
       CHECK(last < 0.995 * first);  // they have met
-      off_before = off;
     }
   }
 }

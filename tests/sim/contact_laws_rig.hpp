@@ -5,11 +5,19 @@
 #include <bit>
 
 #include "contact_rig.hpp"
+#include "method/method.hpp"
+#include "scene/names.hpp"
 #include "state/contact_pairs.hpp"
 
 namespace weft {
 
 inline constexpr const char* kSolvers[] = {"mass_spring", "multigrid"};
+/// Of all methods.
+inline std::vector<std::string> every_solver() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) names.push_back(scene::name_of(method.kind));
+  return names;
+}
 inline const std::string kPlane = R"({"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]})";
 
 /// What scenes here differ by.

@@ -364,9 +364,8 @@ TEST_CASE("cloth falls freely with self-contact, whatever its shape") {
       {"stack", flat + "," + sheet("xz", "[0.02, 0.006, 0.01]") + "," + sheet("xz", "[0.04, 0.012, 0.02]"),
        false},
   };
-  for (const std::string solver : kSolvers)
+  for (const std::string& solver : every_solver())
     for (const Shape& shape : shapes) {
-      if (solver == "multigrid" && shape.name == "crumpled") continue;  // its cycle leaves a momentum: docs
       auto world = world_on(fixture.device(),
                             {.solver = solver, .contact = R"("thickness": 0.005)", .cloths = shape.cloths});
       Random random(3);
@@ -388,16 +387,21 @@ TEST_CASE("cloth falls freely with self-contact, whatever its shape") {
       advance(*world, kFrames);
       const Moment now(*world);
       const double mass = total(now.mass), time = kFrames / 60.0, dt = 1.0 / 480;
-      // Semi-implicit Euler: g dt² n (n + 1) / 2. BDF2 is of second order, but for its first step.
-      const double exact = 0.5 * kGravity * time * (time + (solver == "mass_spring" ? dt : 0));
+      // Steps of first order: g dt² n (n + 1) / 2. What meets nothing by multigrid and fem flies as a stone, and what
+      // meets itself begins anew, by one of first order.
+      const bool is_second_order = solver == "multigrid" || solver == "fem";
+      const double least = 0.5 * kGravity * time * (time + (is_second_order ? 0 : dt));
+      const double most =
+          !is_second_order || shape.stays ? least : 0.5 * kGravity * time * (time + 1 / 360.0);
       Vec3d fallen;
       for (std::size_t i = 0; i < now.position.size(); ++i)
         fallen += (now.mass[i] / mass) * (now.position[i] - start.position[i]);
       const Vec3d momentum = momentum_of(now) / mass;
-      MESSAGE(solver, " ", shape.name, ": falls ", -fallen.y / exact, " of what it should, speed ",
+      MESSAGE(solver, " ", shape.name, ": falls ", -fallen.y / least, " of what it should, speed ",
               -momentum.y / (kGravity * time), ", aside ", std::hypot(momentum.x, momentum.z),
               " m/s, truncated ", world->totals().truncated, ", contacts ", world->totals().contacts);
-      CHECK(-fallen.y == doctest::Approx(exact).epsilon(1e-3).scale(0));
+      CHECK(-fallen.y > least * (1 - 1e-3));
+      CHECK(-fallen.y < most * (1 + 1e-3));
       CHECK(-momentum.y == doctest::Approx(kGravity * time).epsilon(1e-3).scale(0));
       CHECK(std::hypot(momentum.x, momentum.z) < 1e-3 * kGravity * time);
       if (shape.stays) CHECK(world->totals().truncated == 0);
@@ -443,7 +447,7 @@ TEST_CASE("cloth that meets nothing errs by hardly more than without contact, ho
 
 TEST_CASE("cloths that collide keep their momentum, without friction their spin, and gain no energy") {
   GpuFixture fixture;
-  for (const std::string solver : {"mass_spring"})
+  for (const std::string& solver : every_solver())
     for (const double friction : {0.0, 0.4})
       for (const double restitution : {0.0, 1.0}) {
         const std::string more = R"(, "friction": )" + text_of(friction);
@@ -484,7 +488,8 @@ TEST_CASE("cloths that collide keep their momentum, without friction their spin,
 
 TEST_CASE("a sheet folded like a fan gains no energy and passes nowhere through itself") {
   GpuFixture fixture;
-  for (const std::string solver : kSolvers) {
+  for (const std::string& solver : every_solver()) {
+    if (solver == "pbd") continue;  // what its springs have is no energy: it depends on the sweeps
     auto world = world_on(fixture.device(), {.solver = solver,
                                              .gravity = "[0, 0, 0]",
                                              .contact = R"("thickness": 0.02)",
@@ -522,7 +527,7 @@ TEST_CASE("a sheet folded like a fan gains no energy and passes nowhere through 
 TEST_CASE("a sheet that drops on a floor loses its energy, or keeps e² of it") {
   GpuFixture fixture;
   constexpr double kHeight = 0.05;  // above where it lies [m]
-  for (const std::string solver : kSolvers)
+  for (const std::string& solver : every_solver())
     for (const double restitution : {0.0, 0.5, 1.0}) {
       auto world = world_on(fixture.device(),
                             {.solver = solver,

@@ -296,11 +296,11 @@ TEST_CASE("free cloth keeps its momentum in long steps, and gains no energy, how
       const double drift = length(end.momentum(0, end.mass.size()) - start.momentum(0, end.mass.size())) /
                            std::sqrt(mass * squares);
       MESSAGE("momentum drifts by " << drift << " of all speeds, energy rises by " << most / begun);
-      // f32 knows the energy of stiff springs to 1e-5; by BDF2 what stays within bounds is a norm of two steps, which
-      // few long ones show.
-      CHECK(most < (std::string(steps.substeps) == "2" ? 1e-3 : 1e-5) * begun);
+      // f32 knows the energy of stiff springs to 1e-5. In long steps the sheet turns by 0.17 rad in each, and what its
+      // springs and its spin exchange, a tenth of its energy, is right to the square of that.
+      CHECK(most < (std::string(steps.substeps) == "2" ? 3e-3 : 1e-5) * begun);
       CHECK(left < 0.2 * begun);  // and what its jolted nodes had is damped
-      if (std::string(steps.residual) == "1e-4") CHECK(drift < 1e-3);
+      CHECK(drift < 1e-5);
     }
 }
 

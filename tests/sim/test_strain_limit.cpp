@@ -1,4 +1,5 @@
 // Cloth with a strain limit: by lengths, momentum and energy, and beside the reference.
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -20,13 +21,14 @@ scene::Scene hanging(const std::string& limit, const std::string& contact) {
 constexpr const char* kNone = R"({"method": "none"})";
 constexpr const char* kProximity = R"({"method": "proximity", "thickness": 0.004})";
 
-/// A sheet that falls on a ball at 5 m/s: in a substep as far as 1.7 of its edges are long.
-scene::Scene struck(const std::string& limit) {
+/// A sheet that falls on a ball at 5 m/s: in a substep as far as 1.7 of its edges are long. `aside`: the ball [m].
+scene::Scene struck(const std::string& limit, double aside = 0.011) {
   return contact_scene(
       R"("solver": {"kind": "multigrid"}, "contact": {"method": "proximity", "thickness": 0.004},
     "cloths": [{"grid": [61, 61], "size": [0.5, 0.5], "plane": "xz", "density": 0.3, "damping": 0.02,
       "transform": {"translate": [0, 0.02, 0]}, "stiffness": {"structural": 450, "shear": 60, "bend": 2})" +
-      limit + R"(}], "colliders": [{"kind": "sphere", "center": [0.011, -0.06, 0.007], "radius": 0.06}])");
+      limit + R"(}], "colliders": [{"kind": "sphere", "center": [)" + text_of(aside) +
+      R"(, -0.06, 0.007], "radius": 0.06}])");
 }
 double worst_in(gpu::Device& device, const scene::Scene& scene, std::uint32_t frames, const Vec3d& speed) {
   auto world = world_from(device, scene, Assets{});
@@ -74,9 +76,17 @@ TEST_CASE("a sheet that its weight would stretch far hangs near its strain limit
 
 TEST_CASE("edges keep their strain limit where cloth is struck, and without one they do not") {
   GpuFixture fixture;
-  const double free = worst_in(fixture.device(), struck(""), 4, {0, -5, 0});
-  const double limited = worst_in(fixture.device(), struck(R"(, "strain_limit": 0.08)"), 4, {0, -5, 0});
-  MESSAGE("stretched by ", free, ", with a limit of 0.08 by ", limited);
+  // Of three blows the one between the others: which edge is held longest is chance.
+  const auto worst = [&](const std::string& limit) {
+    std::array<double, 3> each{};
+    for (std::size_t k = 0; k < each.size(); ++k)
+      each[k] =
+          worst_in(fixture.device(), struck(limit, 0.011 - 0.006 * static_cast<double>(k)), 4, {0, -5, 0});
+    std::sort(each.begin(), each.end());
+    MESSAGE("limit \"", limit, "\": stretched by ", each[0], ", ", each[1], " and ", each[2]);
+    return each[1];
+  };
+  const double free = worst(""), limited = worst(R"(, "strain_limit": 0.08)");
   CHECK(free > 1.2);
   CHECK(limited < 1.08 + 0.3 * (free - 1.08));
 }

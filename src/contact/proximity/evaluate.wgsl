@@ -115,7 +115,7 @@ fn is_held(ids : vec4u, w : vec4f, gap : f32, thickness : f32) -> bool {
   var all_held = true;
   for (var role = 0u; role < role_count(ids); role++) {
     if (is_collider(ids[role]) || w[role] == 0.0) { continue; }
-    let held = predicted[ids[role] & kIdBits].w < 0.0;
+    let held = predicted[ids[role] & kIdBits].w == -1.0;
     any_held |= held;
     all_held &= held;
   }

@@ -1,5 +1,5 @@
 // The end of a substep: each node's new position and velocity, and the force that holds it at obstacles. One invocation
-// per node. A velocity's w is 1 where the next substep may read this one, 0 where an obstacle holds the node, and -1
+// per node. A velocity's w is 1 where the next substep may read this one, -2 where an obstacle holds the node, and -1
 // where it does by all that presses the node (contact/proximity/evaluate.wgsl).
 // Source: docs/solvers/multigrid.md, equations 9 and 11.
 #include "gpu/index.wgsl"
@@ -71,7 +71,7 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
   let stopped = select(vec3f(0.0), step.time.dt * across(freed, n), kept.under_cloth);
   position_out[node] = vec4f(now.xyz + way + stopped, now.w);
-  velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + freed, select(0.0, -1.0, force.z > 0.0));
+  velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + freed, select(-2.0, -1.0, force.z > 0.0));
 }
 
 @compute @workgroup_size(kWorkgroupSize)

@@ -31,6 +31,7 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
   };
   for (const GridCycle& cycle : grids_) record_rest(cycle);
   for (const MeshCycle& cycle : meshes_) record_rest(cycle);
+  pieces_.record(pass);
   contact.search(pass);
   contact.measure(pass);
   contact.answer(pass);
@@ -102,6 +103,7 @@ Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inpu
       inputs.pairs(), residual, inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,
       made->gas_.any() ? &made->gas_ : nullptr, inputs.presses() == nullptr ? newton_steps : 0});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
+  WEFT_SET(made->pieces_, PieceMotion::create_of_steps(inputs));
   return std::unique_ptr<Solver>(std::move(made));
 }
 

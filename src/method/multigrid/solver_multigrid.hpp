@@ -5,6 +5,7 @@
 
 #include "method/multigrid/grid_cycle.hpp"
 #include "method/multigrid/mesh_cycle.hpp"
+#include "method/pieces/piece_motion.hpp"
 #include "method/solver.hpp"
 
 namespace weft {
@@ -32,6 +33,7 @@ class SolverMultigrid : public Solver {
   gpu::Buffer<std::uint32_t> corners_;  // where the air pushes
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
+  PieceMotion pieces_;
   std::uint32_t iterations_ = 0;  // that are recorded
   std::uint32_t most_seen_ = 0;   // that frames took since then
   std::uint32_t frames_seen_ = 0;

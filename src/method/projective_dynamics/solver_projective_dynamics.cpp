@@ -14,6 +14,7 @@ void SolverProjectiveDynamics::record(gpu::ComputePass& pass, const contact::Sta
     for (const gpu::Dispatch& dispatch : cloth.dispatches()) dispatch.record(pass);
   for (const RelaxedSolid& body : solids_)
     for (const gpu::Dispatch& dispatch : body.dispatches()) dispatch.record(pass);
+  pieces_.record(pass);
   end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -39,6 +40,7 @@ Result<std::unique_ptr<Solver>> SolverProjectiveDynamics::create(const scene::So
   };
   WEFT_SET(made->gas_, GasOnWays::create(inputs, way_of));
   WEFT_SET(made->start_way_, create_start_way(inputs, made->corners_, made->gas_, relaxed.aim, way_of));
+  WEFT_SET(made->pieces_, PieceMotion::create_of_ways(inputs, relaxed.aim));
   WEFT_SET(made->end_way_, create_end_way(inputs, true));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "method/pieces/piece_motion.hpp"
 #include "method/projective_dynamics/relaxed_fabric.hpp"
 #include "method/projective_dynamics/relaxed_solid.hpp"
 #include "method/projective_dynamics/relaxed_springs.hpp"
@@ -23,6 +24,7 @@ class SolverProjectiveDynamics : public Solver {
   std::vector<RelaxedSprings> springs_;
   std::vector<RelaxedFabric> fabrics_;
   std::vector<RelaxedSolid> solids_;
+  PieceMotion pieces_;
   GasOnWays gas_;
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 

@@ -14,6 +14,7 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
     for (const DescendFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
     for (const DescendSolid& solid : solids_) solid.record(pass);
   }
+  pieces_.record(pass);
   end_way_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -30,6 +31,8 @@ Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const WayOf way_of = [&](std::size_t p) -> const gpu::Buffer<Vec4f>& { return state.position[1 - p]; };
   WEFT_SET(gas_, GasOnWays::create(inputs, way_of));
   WEFT_SET(start_way_, create_start_way(inputs, corners_, gas_, aim_, way_of));
+  WEFT_SET(pieces_,
+           PieceMotion::create_of_ways(inputs, aim_, words > 1 ? "method/vbd/sum_held_ways.wgsl" : ""));
   if (words > 1) return create_holds(inputs);
   WEFT_SET(end_way_, create_end_way(inputs, true));
   return {};

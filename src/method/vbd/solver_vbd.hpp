@@ -6,6 +6,7 @@
 
 #include "element/spring/neighbours.hpp"
 #include "gpu/dispatch.hpp"
+#include "method/pieces/piece_motion.hpp"
 #include "method/solver.hpp"
 #include "method/vbd/descend_fabric.hpp"
 #include "method/vbd/descend_solid.hpp"
@@ -44,6 +45,7 @@ class SolverVbd : public Solver {
   std::vector<Cloth> cloths_;  // of springs
   std::vector<DescendFabric> fabrics_;
   std::vector<DescendSolid> solids_;
+  PieceMotion pieces_;
   gpu::Buffer<Vec4f> aim_;  // the way of each node without springs [m]; node_holds.wgsl
   GasOnWays gas_;
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read

@@ -7,6 +7,7 @@
 #include "method/multigrid/reference/fabric_terms.hpp"
 #include "method/multigrid/reference/solid_terms.hpp"
 #include "method/multigrid/reference/spring_terms.hpp"
+#include "method/pieces/reference/piece_turn.hpp"
 
 namespace weft::reference {
 namespace {
@@ -108,6 +109,7 @@ StepFormula step_formula(double dt, double ratio) {
 ImplicitStepper::ImplicitStepper(const Model& model, double step, double residual, std::uint32_t newton_steps)
     : wanted_residual(residual),
       newton_steps_(newton_steps),
+      pieces_(free_pieces(model, PiecesOf::Bodies)),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
   std::size_t springs = 0, fabrics = 0, solids = 0;
@@ -442,6 +444,31 @@ void ImplicitStepper::finish(const Substep& substep, const Solved& found, std::s
   }
 }
 
+void ImplicitStepper::keep_momentum(const Substep& substep, const std::vector<Solved>& found,
+                                    const std::vector<Vec3d>& position, std::vector<Vec3d>& velocity) const {
+  const MassSpringSystem& system = substep.system;
+  if (system.drag != 0 || system.air || !system.gases.empty()) return;
+  std::vector<bool> goes_free(position.size(), true);
+  for (std::size_t c = 0; c < cloths_.size(); ++c)
+    for (std::size_t a = 0; a < cloths_[c].count; ++a)
+      goes_free[cloths_[c].first + a] = !found[c].step.fixed[a] && !found[c].step.holds[a];
+  const double dt = substep.dt;
+  for_each_free_piece(
+      pieces_, [&](std::uint32_t node) { return goes_free[node]; },
+      [&](std::uint32_t node) {
+        const Vec3d fall = dt * dt * system.acceleration, after = dt * velocity[node];
+        // A step of second order falls by half of that less than its velocity at the end says.
+        const double less = known_[node] && substep.ratio > 0 ? 0.5 : 0;
+        const Vec3d beside = position[node] - system.position[node] - after + less * fall;
+        return NodeMotion{1 / system.inverse_mass[node], system.position[node],
+                          after - dt * system.velocity[node] - fall, cross(beside, after)};
+      },
+      [&](std::span<const std::uint32_t> nodes, std::span<const NodeMotion> motions) {
+        const PieceTurn turn = PieceTurn::of(motions);
+        for (const std::uint32_t node : nodes) velocity[node] += turn.at(system.position[node]) / dt;
+      });
+}
+
 std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& substep) {
   const auto pressed_by = [&](std::span<const Vec3d> velocities) {
     Pressed pressed = substep.pressed(velocities);
@@ -526,6 +553,7 @@ void ImplicitStepper::advance(const Substep& substep) {
     if (solution.first > 0) residual_ = std::max(residual_, solution.left / solution.first);
     finish(substep, found[c], c, position, velocity, stopped);
   }
+  keep_momentum(substep, found, position, velocity);
   remember(system.position, system.velocity);
   for (const std::size_t node : stopped) forget(node);
   system.position = std::move(position);

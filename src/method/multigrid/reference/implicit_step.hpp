@@ -11,6 +11,7 @@
 #include "method/multigrid/reference/conjugate_gradients.hpp"
 #include "method/multigrid/reference/hold.hpp"
 #include "method/multigrid/reference/pair_hold.hpp"
+#include "method/pieces/free_pieces.hpp"
 #include "method/stepper.hpp"
 #include "model/model.hpp"
 
@@ -136,12 +137,16 @@ class ImplicitStepper : public Stepper {
   std::vector<Solved> newton(const Substep& substep);
   /// No history of nodes in these pairs: both sides take the force in the same formula.
   void forget(const std::vector<NearPair>& pairs);
+  /// Of the pieces that nothing holds: docs/momentum.md.
+  void keep_momentum(const Substep& substep, const std::vector<Solved>& found,
+                     const std::vector<Vec3d>& position, std::vector<Vec3d>& velocity) const;
   /// The new state of cloth c, in the place of the old one; adds the nodes that contact has stopped.
   void finish(const Substep& substep, const Solved& found, std::size_t c, std::vector<Vec3d>& position,
               std::vector<Vec3d>& velocity, std::vector<std::size_t>& stopped);
 
   std::uint32_t newton_steps_;
   std::vector<Cloth> cloths_;
+  FreePieces pieces_;
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
   std::vector<HoldForce> hold_forces_;

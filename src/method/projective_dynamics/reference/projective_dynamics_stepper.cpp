@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "element/spring/law.hpp"
+#include "method/pieces/reference/piece_turn.hpp"
 #include "method/projective_dynamics/bounded_yarns.hpp"
 
 namespace weft::reference {
@@ -74,7 +75,7 @@ std::vector<Vec3d> ProjectiveDynamicsStepper::pulls_of_change(const MassSpringSy
 
 ProjectiveDynamicsStepper::ProjectiveDynamicsStepper(const Model& model, double step,
                                                      std::uint32_t iterations)
-    : look_back_(model.rest_position.size()) {
+    : pieces_(free_pieces(model, PiecesOf::Elements)), look_back_(model.rest_position.size()) {
   double most = 0;
   for (const Body& cloth : model.bodies) {
     const ClothRates rates = cloth_rates(model, cloth);
@@ -112,6 +113,8 @@ void ProjectiveDynamicsStepper::advance(const Substep& substep) {
       }
     }
   }
+  keep_momentum(
+      pieces_, aim, [](std::uint32_t) { return true; }, ways);
   ways.end(substep);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "method/pieces/free_pieces.hpp"
 #include "method/projective_dynamics/node_pairs.hpp"
 #include "method/projective_dynamics/reference/solid_relaxation.hpp"
 #include "method/projective_dynamics/relaxation.hpp"
@@ -31,6 +32,7 @@ class ProjectiveDynamicsStepper : public Stepper {
   std::vector<Fabric> fabrics_;          // in the order of the system's
   std::vector<SolidRelaxation> solids_;  // likewise
   Relaxation relaxation_;
+  FreePieces pieces_;
   LookBack look_back_;
 };
 

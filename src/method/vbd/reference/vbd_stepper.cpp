@@ -1,6 +1,7 @@
 #include "method/vbd/reference/vbd_stepper.hpp"
 
 #include "element/spring/law.hpp"
+#include "method/pieces/reference/piece_turn.hpp"
 #include "method/reference_ways.hpp"
 #include "method/sym3.hpp"
 
@@ -39,6 +40,7 @@ NodeDescent descent(const NodePull& pull, const Ways& ways, std::uint32_t node, 
 VbdStepper::VbdStepper(const Model& model, std::uint32_t iterations)
     : iterations_(iterations),
       springs_of_(incidence(model.elements(ElementKind::Spring), 0, model.rest_position.size())),
+      pieces_(free_pieces(model, PiecesOf::Elements)),
       look_back_(model.rest_position.size()) {
   for (const Body& body : model.bodies) {
     Cloth cloth{color_nodes(model, body).nodes, std::nullopt, std::nullopt};
@@ -87,6 +89,8 @@ void VbdStepper::advance(const Substep& substep) {
     ways.way[node] = is_pulled ? going_on + no_longer(felt, length(change)) : alone;
   }
   for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
+  keep_momentum(
+      pieces_, aim, [&](std::uint32_t node) { return !(holds_[node] && holds_[node]->bears()); }, ways);
   ways.end(substep);
   for (std::size_t node = 0; node < holds_.size(); ++node)
     if (holds_[node]) substep.system.velocity[node] = holds_[node]->moved(ways.way[node]) / substep.dt;

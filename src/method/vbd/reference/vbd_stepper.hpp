@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "element/incidence.hpp"
+#include "method/pieces/free_pieces.hpp"
 #include "method/reference_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 #include "method/vbd/reference/fabric_descent.hpp"
@@ -34,6 +35,7 @@ class VbdStepper : public Stepper {
   std::uint32_t iterations_;
   std::vector<Cloth> cloths_;
   mesh::Adjacency springs_of_;  // node -> its springs
+  FreePieces pieces_;
   LookBack look_back_;
   std::vector<std::optional<NodeHold>> holds_;
   std::vector<bool> bore_;  // held() of the substep before
