@@ -86,7 +86,9 @@ void Input::on_letter(unsigned int code) {
   if (repeated_ && letter != '+' && letter != '-') return;
   if (letter == 't') return panel_.toggle_theme();
   if (letter == '?') return panel_.toggle_help();
-  act(std::string(1, letter), false);
+  const bool shift = glfwGetKey(toolkit_.window(), GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                     glfwGetKey(toolkit_.window(), GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+  act(std::string(1, letter), shift);
 }
 
 /// Dear ImGui knows where the pointer was in the last picture.
@@ -95,6 +97,7 @@ bool Input::over_picture() const { return !ImGui::GetIO().WantCaptureMouse && po
 void Input::on_button(int button, int action, int modifiers) {
   if (action == GLFW_RELEASE) return keep(pointer_.release());
   if (!over_picture()) return;
+  if (button == GLFW_MOUSE_BUTTON_LEFT && (modifiers & GLFW_MOD_CONTROL) != 0) return pointer_.begin_area();
   keep(pointer_.press(button == GLFW_MOUSE_BUTTON_LEFT ? Pointer::Button::Left : Pointer::Button::Other,
                       (modifiers & GLFW_MOD_SHIFT) != 0, glfwGetTime()));
 }

@@ -1,6 +1,8 @@
 #include "player/pointer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "opened_player.hpp"
 #include "player/keys.hpp"
@@ -120,6 +122,66 @@ TEST_CASE("what lets go of the cloth ends the pull, and the window goes on") {
   CHECK(player.pins().all().size() == 1);
   REQUIRE(act_on_key(player, pointer, "u", false));
   is_over();
+}
+
+TEST_CASE("a rectangle pins all nodes under it where they are, and once all are pinned lets them go") {
+  Opened opened;
+  Player& player = opened.player;
+  Pointer pointer(player);
+  REQUIRE(player.step());
+  const auto draw = [&](const Place& from, const Place& to) {
+    pointer.move(from, 0);
+    pointer.begin_area();
+    pointer.move(to, 0.1);
+    REQUIRE(pointer.update());
+    REQUIRE(player.drawn_area);
+    REQUIRE(pointer.release());
+    CHECK(!player.drawn_area);
+  };
+  const Vec3d eye = player.look().camera().eye;
+  draw({kWidth - 1.0, kHeight - 1.0}, {kWidth / 2.0, 0});  // the right half, from below
+  CHECK(player.look().camera().eye.x == eye.x);
+  const auto now = player.world().snapshot();
+  REQUIRE(now);
+  std::vector<std::uint32_t> right;  // but for the corner that the scene holds
+  for (std::uint32_t node = 0; node < now->position.size(); ++node) {
+    const Vec4f& at = now->position[node];
+    if (at.w != 0 && player.look().project({at.x, at.y, at.z}).x >= 0) right.push_back(node);
+  }
+  CHECK(right.size() > 30);
+  std::vector<std::uint32_t> pinned;
+  for (const Pin& pin : player.pins().all()) {
+    pinned.push_back(pin.node);
+    CHECK(length(pin.point - now->position[pin.node].xyz().to<double>()) == 0);
+  }
+  std::sort(pinned.begin(), pinned.end());
+  CHECK(pinned == right);
+  CHECK(player.world().grabbed().size() == right.size());
+
+  draw({0, 0}, {kWidth - 1.0, kHeight - 1.0});  // some are pinned: the others are now too
+  CHECK(player.pins().all().size() == 81 - 2);
+  draw({0, 0}, {kWidth - 1.0, kHeight - 1.0});
+  CHECK(player.pins().all().empty());
+  CHECK(player.world().grabbed().empty());
+  CHECK(player.notice.sentence().empty());
+  draw({0, 0}, {3, 3});
+  CHECK(player.notice.sentence() == "There is no cloth to pin in the rectangle.");
+  REQUIRE(act_on_key(player, pointer, "p", true));
+  // At 3 m the picture is 2 · 3 m · tan 17.5° = 1.89 m high, and its middle half has seven rows of the nine, and all of
+  // each, since it is wider.
+  CHECK(player.pins().all().size() == 7 * 9);
+}
+
+TEST_CASE("a rectangle over more nodes than can be held pins none, and says so") {
+  Opened opened;
+  Player& player = opened.player;
+  REQUIRE(player.open(wanted("large sheet", sheet(35))));
+  REQUIRE(player.pin_within({-1, -1, 1, 1}));
+  CHECK(player.pins().all().empty());
+  CHECK(
+      player.notice.sentence() ==
+      "0 nodes are pinned, and there can be 1023, but 1223 more are meant: the core holds 1024, and the hand "
+      "needs one.");
 }
 
 TEST_CASE("keys do what the page's do") {

@@ -15,12 +15,14 @@ void draw_help(bool& shown, float width, float height) {
       {".", "one frame"},
       {"R", "reset"},
       {"P, U", "pin or unpin under the pointer; remove all pins"},
+      {"Shift and P", "pin or unpin all in the middle half of the picture"},
       {"1 to 6, X", "view; wireframe and back"},
       {"F", "reset camera"},
       {"Arrows", "turn the camera, with Shift move it"},
       {"+, -", "zoom"},
       {"T, ?", "dark or light; this help"},
       {"Left button", "pull the cloth, or turn the camera beside it; twice: pin or unpin"},
+      {"Control", "with the left button: pin or unpin all in a rectangle"},
       {"Right button", "move the picture, as Shift and the left one"},
       {"Wheel", "zoom"}};
   for (const auto& [key, action] : kKeys) {

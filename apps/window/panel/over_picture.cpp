@@ -63,12 +63,26 @@ void draw_markers(Player& player, float width, float height) {
   }
 }
 
+void draw_area(const render::PickArea& area, float width, float height) {
+  const auto at = [&](double x, double y) {
+    return ImVec2{width * static_cast<float>(x + 1) / 2, height * static_cast<float>(1 - y) / 2};
+  };
+  const ImVec2 a = at(area.ax, area.ay), b = at(area.bx, area.by);
+  const ImVec2 low = {std::min(a.x, b.x), std::min(a.y, b.y)},
+               high = {std::max(a.x, b.x), std::max(a.y, b.y)};
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(low, high, IM_COL32(255, 214, 64, 40));
+  list.AddRect(low, high, kInk, 0, 0, points(3));
+  list.AddRect(low, high, kMarker, 0, 0, points(1.5F));
+}
+
 }  // namespace
 
 void draw_over_picture(Player& player, float width, float height) {
   draw_title(player);
   if (const auto field = render::field_of(player.view())) draw_legend(*field, width, height);
   draw_markers(player, width, height);
+  if (player.drawn_area) draw_area(*player.drawn_area, width, height);
 }
 
 }  // namespace weft::window

@@ -5,7 +5,7 @@
 
 namespace weft::window {
 
-/// The scene's title, the legend of the view, and a marker on each pin.
+/// The scene's title, the legend of the view, a marker on each pin, and the rectangle that the pointer draws.
 void draw_over_picture(Player& player, float width, float height);
 /// The sentence that is said, until it is closed. Errors  DeviceLost.
 Result<void> draw_notice(Player& player, float width, float height);

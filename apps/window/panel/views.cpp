@@ -39,7 +39,8 @@ Result<void> draw_views(Player& player) {
 Result<void> draw_pins(Player& player) {
   heading("Pins");
   const std::size_t count = player.pins().all().size();
-  remark(count == 0 ? text("Double-click the cloth, or press P over it: up to %zu nodes stay where they are.",
+  remark(count == 0 ? text("Double-click the cloth, press P over it, or draw a rectangle with Control: up to "
+                           "%zu nodes stay where they are.",
                            Pins::most())
                     : text("%zu of %zu pinned. Drag a pin to move it.", count, Pins::most()));
   ImGui::BeginDisabled(count == 0);

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kArrowTurn = 0.1;  // [radian]
 constexpr double kArrowMove = 0.05, kZoom = 1.1;
+constexpr double kMiddle = 0.5;  // of the picture's half width and height
 
 bool turn_camera(Player& player, const std::string& key, bool shift) {
   const render::Camera& camera = player.look().camera();
@@ -52,6 +53,10 @@ Result<bool> act_on_key(Player& player, const Pointer& pointer, const std::strin
     return view(static_cast<scene::View>(key[0] - '1'));
   if (key == "x")
     return view(player.view() == scene::View::Wireframe ? player.before_wireframe() : scene::View::Wireframe);
+  if (key == "p" && shift) {
+    WEFT_CHECK(player.pin_within({-kMiddle, -kMiddle, kMiddle, kMiddle}));
+    return true;
+  }
   if (key == "p") return pin_under(player, pointer);
   if (key == " ")
     player.play(!player.playing());

@@ -18,18 +18,14 @@ Result<std::string> Pins::let_go(std::uint32_t node) {
   return std::string();
 }
 
-std::string Pins::refusal() const {
-  if (pins_.size() < most()) return {};
+std::string Pins::refusal(std::size_t more) const {
+  if (pins_.size() + more <= most()) return {};
   return std::to_string(pins_.size()) + " nodes are pinned, and there can be " + std::to_string(most()) +
-         ": the core holds " + std::to_string(scene::kMaxGrabs) + ", and the hand needs one.";
+         (more > 1 ? ", but " + std::to_string(more) + " more are meant" : "") + ": the core holds " +
+         std::to_string(scene::kMaxGrabs) + ", and the hand needs one.";
 }
 
-Result<std::string> Pins::toggle(double x, double y) {
-  WEFT_CHECK(session_.pick(x, y));
-  if (!session_.picked()) return std::string("There is no cloth to pin there.");
-  const std::uint32_t node = session_.picked()->node;
-  if (has(node)) return let_go(node);
-  if (std::string why = refusal(); !why.empty()) return why;
+Result<std::string> Pins::pin(std::uint32_t node) {
   const Vec4f& at = session_.snapshot().position[node];
   const Vec3d point{at.x, at.y, at.z};
   if (const Result<void> grabbed = session_.world()->grab(node, point); !grabbed) {
@@ -41,9 +37,40 @@ Result<std::string> Pins::toggle(double x, double y) {
   return std::string();
 }
 
+Result<std::string> Pins::toggle(double x, double y) {
+  WEFT_CHECK(session_.pick(x, y));
+  if (!session_.picked()) return std::string("There is no cloth to pin there.");
+  const std::uint32_t node = session_.picked()->node;
+  if (has(node)) return let_go(node);
+  if (std::string why = refusal(1); !why.empty()) return why;
+  return pin(node);
+}
+
+Result<std::string> Pins::toggle_within(const render::PickArea& area) {
+  WEFT_CHECK(session_.pick_within(area));
+  std::vector<std::uint32_t> loose, pinned;
+  for (const std::uint32_t node : session_.picked_within())
+    if (has(node))
+      pinned.push_back(node);
+    else if (session_.snapshot().position[node].w != 0)
+      loose.push_back(node);
+  if (loose.empty() && pinned.empty()) return std::string("There is no cloth to pin in the rectangle.");
+  if (std::string why = loose.empty() ? std::string() : refusal(loose.size()); !why.empty()) return why;
+  std::string last;
+  const std::size_t before = pins_.size();
+  for (const std::uint32_t node : loose) {
+    WEFT_TRY(why, pin(node));
+    if (!why.empty()) last = why;
+  }
+  if (pins_.size() > before) return std::string();
+  if (pinned.empty()) return last;
+  for (const std::uint32_t node : pinned) WEFT_CHECK(let_go(node));
+  return std::string();
+}
+
 Result<std::string> Pins::toggle_held(std::uint32_t node) {
   if (has(node)) return let_go(node);
-  if (std::string why = refusal(); !why.empty()) return why;
+  if (std::string why = refusal(1); !why.empty()) return why;
   for (const sim::Grabbed& held : session_.world()->grabbed())
     if (held.node == node) pins_.push_back({node, held.target});
   return std::string();

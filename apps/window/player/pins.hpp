@@ -27,6 +27,9 @@ class Pins {
   Result<std::string> toggle(double x, double y);
   /// The same for a node that the hand holds, which leaves it where it is.
   Result<std::string> toggle_held(std::uint32_t node);
+  /// Pins all nodes in an area of the picture, seen or hidden, where they are now; where all are pinned that can be,
+  /// lets them go. Why it cannot; empty: it did. Errors  DeviceLost.
+  Result<std::string> toggle_within(const render::PickArea& area);
   /// A pinned node was pulled elsewhere, and stays there [m].
   void move(std::uint32_t node, const Vec3d& point);
   /// Errors  DeviceLost.
@@ -38,7 +41,10 @@ class Pins {
 
  private:
   Result<std::string> let_go(std::uint32_t node);
-  std::string refusal() const;
+  /// Why no `more` nodes can be pinned; empty: they can.
+  std::string refusal(std::size_t more) const;
+  /// Why the world does not hold the node; empty: it does, and the node is pinned. Errors  DeviceLost.
+  Result<std::string> pin(std::uint32_t node);
 
   Session& session_;
   std::vector<Pin> pins_;

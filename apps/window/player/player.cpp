@@ -285,4 +285,10 @@ Result<std::string> Player::stop_recording() {
   return ended.end();
 }
 
+Result<void> Player::pin_within(const render::PickArea& area) {
+  WEFT_TRY(refused, pins_.toggle_within(area));
+  if (!refused.empty()) notice.say(refused, Tone::Plain);
+  return {};
+}
+
 }  // namespace weft::window

@@ -95,6 +95,9 @@ class Player {
   /// Says what has gone wrong. Errors  DeviceLost; any, where no world is shown.
   Result<void> said(const Result<void>& done);
   Notice notice;
+  /// Pins what is under a rectangle of the picture, or lets it go; why it cannot is said. Errors  DeviceLost.
+  Result<void> pin_within(const render::PickArea& area);
+  std::optional<render::PickArea> drawn_area;  // the rectangle that the pointer draws
 
   sim::World& world() { return *session_.world(); }
   gpu::Device& device() { return session_.device(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "render/orbit.hpp"
 
@@ -43,6 +44,12 @@ Result<void> Pointer::press(Button button, bool shift, double at) {
   return {};
 }
 
+void Pointer::begin_area() {
+  if (!player_.has_world() || gesture_ != Gesture::None) return;
+  gesture_ = Gesture::Area;
+  last_ = place_;
+}
+
 Result<void> Pointer::take_hold() {
   gesture_ = Gesture::Orbit;
   const Place at = clip();
@@ -71,6 +78,8 @@ void Pointer::move(const Place& to, double at) {
 Result<void> Pointer::release() {
   const Result<void> drawn = update();
   gesture_ = Gesture::None;
+  if (const auto area = std::exchange(player_.drawn_area, {}); area && drawn)
+    return player_.pin_within(*area);
   if (!pull_) return drawn;
   const Pull pull = *pull_;
   pull_.reset();
@@ -97,6 +106,11 @@ Result<void> Pointer::update() {
   for (Pull& pull : trailing_) WEFT_CHECK(draw(pull));
   if (gesture_ == Gesture::None) return {};
   if (gesture_ == Gesture::Pull) return draw(*pull_);
+  if (gesture_ == Gesture::Area) {
+    const Place from = clip(last_), to = clip();
+    player_.drawn_area = render::PickArea{from.x, from.y, to.x, to.y};
+    return {};
+  }
   const double dx = (place_.x - last_.x) / height(), dy = (place_.y - last_.y) / height();
   last_ = place_;
   if (dx == 0 && dy == 0) return {};

@@ -1,5 +1,6 @@
 // The mouse on the picture, as the page has it. The left button takes hold of the cloth or, beside it, turns the
-// camera, and pressed twice it pins; the right one, or Shift, moves the picture; the wheel zooms.
+// camera, and pressed twice it pins; with Control it draws a rectangle, all under which is pinned; the right one, or
+// Shift, moves the picture; the wheel zooms.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,8 @@ class Pointer {
   enum class Button { Left, Other };
   /// Errors  DeviceLost, of what is picked and grabbed.
   Result<void> press(Button button, bool shift, double at);
+  /// Begins a rectangle, which ends where the button is released.
+  void begin_area();
   Result<void> release();
   void move(const Place& to, double at);
   void wheel(double notches);
@@ -37,7 +40,7 @@ class Pointer {
     Hand hand;
     double seconds = 0;  // up to which simulated time the hand has moved
   };
-  enum class Gesture { None, Pull, Orbit, Pan };
+  enum class Gesture { None, Pull, Orbit, Pan, Area };
 
   Result<void> take_hold();
   Result<void> draw(Pull& pull);
@@ -48,7 +51,7 @@ class Pointer {
 
   Player& player_;
   Gesture gesture_ = Gesture::None;
-  Place place_, last_;  // of the pointer; up to where the camera has followed
+  Place place_, last_;  // of the pointer; up to where the camera has followed, or where the rectangle began
   std::optional<Pull> pull_;
   std::vector<Pull> trailing_;  // pins that the pointer has left before the hand was there
   double pressed_ = -1;         // when the left button went down last
