@@ -3,7 +3,6 @@
 #include "model/node_groups.hpp"
 
 namespace weft {
-
 namespace {
 
 void join_by_elements(const Model& model, const Body& body, NodeGroups& groups) {

@@ -1,7 +1,7 @@
 // Changes the velocities of each piece's nodes by what turn_pieces has found; where drag takes momentum, by nothing.
 // One invocation per node of a chunk. Source: docs/momentum.md.
 #include "gpu/index.wgsl"
-#include "method/pieces/chunks.wgsl"
+#include "method/pieces/moved_node.wgsl"
 #include "state/step.wgsl"
 //                                                                               elements       unit
 @group(0) @binding(0) var<uniform>             step         : StepBlock;
@@ -13,15 +13,8 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn move_steps(@builtin(global_invocation_id) id : vec3u) {
-  let lane = flat_index(id);
-  let chunks = arrayLength(&sums) / kPieceColumns;
-  let chunk = lane / kPieceChunk;
-  if (chunk >= chunks || step.air.drag != 0.0) { return; }
-  let own = chunk_at(chunk);
-  if (lane % kPieceChunk >= own.count) { return; }
-  let node = node_at(chunks, own.first + lane % kPieceChunk);
-  let q = position_in[node].xyz - position_in[own.first_node].xyz;
-  let first = kTurnColumns * own.piece;
-  let moved = turns[first].xyz + cross(turns[first + 1u].xyz, q);
-  velocity_out[node] = vec4f(velocity_out[node].xyz + moved / step.time.dt, velocity_out[node].w);
+  let moved = moved_node(flat_index(id));
+  if (moved.node == kNoNode || step.air.drag != 0.0) { return; }
+  let before = velocity_out[moved.node];
+  velocity_out[moved.node] = vec4f(before.xyz + moved.by / step.time.dt, before.w);
 }

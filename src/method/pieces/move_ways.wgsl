@@ -1,7 +1,7 @@
 // Moves the ways of each piece's nodes as turn_pieces has found. One invocation per node of a chunk.
 // Source: docs/momentum.md.
 #include "gpu/index.wgsl"
-#include "method/pieces/chunks.wgsl"
+#include "method/pieces/moved_node.wgsl"
 //                                                                              elements       unit
 @group(0) @binding(0) var<storage, read>       lists       : array<u32>;        // chunks.wgsl
 @group(0) @binding(1) var<storage, read>       sums        : array<vec4f>;      // kPieceColumns * chunks
@@ -11,14 +11,7 @@
 
 @compute @workgroup_size(kWorkgroupSize)
 fn move_ways(@builtin(global_invocation_id) id : vec3u) {
-  let lane = flat_index(id);
-  let chunks = arrayLength(&sums) / kPieceColumns;
-  let chunk = lane / kPieceChunk;
-  if (chunk >= chunks) { return; }
-  let own = chunk_at(chunk);
-  if (lane % kPieceChunk >= own.count) { return; }
-  let node = node_at(chunks, own.first + lane % kPieceChunk);
-  let q = position_in[node].xyz - position_in[own.first_node].xyz;
-  let first = kTurnColumns * own.piece;
-  way[node] = vec4f(way[node].xyz + turns[first].xyz + cross(turns[first + 1u].xyz, q), way[node].w);
+  let moved = moved_node(flat_index(id));
+  if (moved.node == kNoNode) { return; }
+  way[moved.node] = vec4f(way[moved.node].xyz + moved.by, way[moved.node].w);
 }

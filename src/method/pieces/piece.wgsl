@@ -1,4 +1,4 @@
-// Parts of the cloth that elements hold together: their nodes, and sums over these. Source: docs/momentum.md.
+// Pieces of cloth that may go free (free_pieces.hpp): their nodes, and sums over these. Source: docs/momentum.md.
 const kPieceChunk = 64u;     // nodes of one piece; mirror: src/method/pieces/piece_motion.hpp
 const kChunkWords = 4u;      // mirror: src/method/pieces/piece_motion.hpp
 const kPieceColumns = 4u;    // of a chunk's sums; mirror: src/method/pieces/piece_motion.hpp
