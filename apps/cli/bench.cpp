@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "assets.hpp"
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "bench/hanging.hpp"
+#include "bench/scene_run.hpp"
 #include "bench_rows.hpp"
 #include "common.hpp"
 #include "memory.hpp"
@@ -62,22 +64,43 @@ Result<bench::Budget> budget_of(const BenchOptions& options) {
   return budget;
 }
 
-Result<void> run_bench(const BenchOptions& options) {
-  WEFT_CHECK(check_selection(options));
-  gpu::DeviceOptions device_options;
-  device_options.adapter = options.adapter;
-  device_options.unchecked = options.unchecked;
-  device_options.timestamps = true;
-  WEFT_TRY(device, gpu::Device::create(device_options));
+gpu::DeviceOptions device_options(const BenchOptions& options) {
+  gpu::DeviceOptions of_device;
+  of_device.adapter = options.adapter;
+  of_device.unchecked = options.unchecked;
+  of_device.timestamps = true;
+  return of_device;
+}
+
+Result<std::unique_ptr<gpu::Device>> open_device(const BenchOptions& options) {
+  WEFT_TRY(device, gpu::Device::create(device_options(options)));
   std::printf("%s, %s%s\n", device->adapter().name.c_str(), device->adapter().driver.c_str(),
               options.unchecked ? ", kernels unchecked" : "");
+  return device;
+}
+
+Result<void> measure_scene(const BenchOptions& options) {
+  WEFT_TRY(scene, load(options.scene));
+  if (options.frames) scene.time.frames = *options.frames;
+  WEFT_TRY(assets, load_checked_assets(scene));
+  WEFT_TRY(device, open_device(options));
+  Results results(*device, options);
+  print_sheet_head();
+  return bench::run_scene(*device, std::filesystem::path(options.scene.path).stem().string(), scene, assets,
+                          [&](const auto& row) { return results.add(row); });
+}
+
+Result<void> run_bench(const BenchOptions& options) {
+  WEFT_CHECK(check_selection(options));
+  if (options.name == "scene") return measure_scene(options);
+  WEFT_TRY(device, open_device(options));
   Results results(*device, options);
   const auto add = [&](const auto& row) { return results.add(row); };
   if (options.name == "copy") return bench::run_copy(*device, options.selection.quick, add);
   if (options.name == "largest") {
     WEFT_TRY(budget, budget_of(options));
     device.reset();  // it makes its own
-    return bench::run_largest(device_options, options.selection, budget, add);
+    return bench::run_largest(device_options(options), options.selection, budget, add);
   }
   const std::filesystem::path root = std::filesystem::path(models_folder()).parent_path();
   const bench::Folders folders{(root / "scenes").string(), models_folder()};

@@ -5,6 +5,7 @@
 
 #include "bench/largest.hpp"
 #include "bench/selection.hpp"
+#include "common.hpp"
 
 namespace weft::cli {
 
@@ -14,7 +15,9 @@ struct BenchOptions {
   std::string adapter;
   bool unchecked = false;
   bench::Selection selection;
-  std::optional<double> memory;  // GiB that `largest` may use; none: a quarter of what is available
+  std::optional<double> memory;         // GiB that `largest` may use; none: a quarter of what is available
+  SceneOptions scene;                   // of `scene`
+  std::optional<std::uint32_t> frames;  // instead of the scene's
   double seconds = bench::Budget().seconds;  // that `largest` may take to build a world
 };
 

@@ -1,5 +1,8 @@
 #include "bench_command.hpp"
 
+#include "numbers.hpp"
+#include "run_command.hpp"
+
 namespace weft::cli {
 namespace {
 
@@ -67,6 +70,12 @@ BenchCommand add_bench_command(CLI::App& app, BenchOptions& options, CompareOpti
   CLI::App* methods =
       add_experiment(*bench, options, "methods", "methods --sides 64 --json methods.json",
                      "Measure time and error of every method over its substeps and sweeps, scene by scene.");
+  CLI::App* scene = add_experiment(*bench, options, "scene", "scene sewn-dress --frames 60",
+                                   "Measure what frames of a scene take, and each kernel of them.");
+  add_scene_options(*scene, options.scene);
+  scene->add_option("-n,--frames", options.frames, "Frames to measure instead of the scene's; at least 1")
+      ->check(kWholeNumber)
+      ->check(CLI::Range(1U, kMostFrames));
   CLI::App* copy = add_experiment(*bench, options, "copy", "copy --json results.json",
                                   "Measure what a copy and a dispatch take at best.");
   CLI::App* largest = add_experiment(*bench, options, "largest", "largest --only grid",

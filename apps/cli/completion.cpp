@@ -56,10 +56,12 @@ constexpr const char* kBash = R"(_weft() {
         hanging) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
         pull) COMPREPLY=($(compgen -W "$measure --quick --sides --only --objects" -- "$word")) ;;
         multigrid|methods) COMPREPLY=($(compgen -W "$measure --quick --sides --only" -- "$word")) ;;
+        scene) COMPREPLY=($(compgen -W "$measure --set --solver --nodes --frames @SCENES@" -f -- "$word")) ;;
         contact|copy) COMPREPLY=($(compgen -W "$measure --quick" -- "$word")) ;;
         largest) COMPREPLY=($(compgen -W "$measure --only --memory --seconds" -- "$word")) ;;
         compare) COMPREPLY=($(compgen -W "--json --fail --help" -f -- "$word")) ;;
-        *) COMPREPLY=($(compgen -W "hanging pull contact multigrid methods copy largest compare --help" -- "$word")) ;;
+        *) local experiments="hanging pull contact multigrid methods scene copy largest compare"
+          COMPREPLY=($(compgen -W "$experiments --help" -- "$word")) ;;
       esac ;;
     validate) COMPREPLY=($(compgen -W "--solver --only --adapter --json --help" -- "$word")) ;;
     scenes|fabrics) COMPREPLY=($(compgen -W "--json --help" -- "$word")) ;;
@@ -73,13 +75,14 @@ complete -o filenames -F _weft weft
 constexpr const char* kFish = R"(complete -c weft -f
 complete -c weft -n __fish_use_subcommand \
   -a "run view check scenes fabrics validate adapters schema bench export completion"
-complete -c weft -n "__fish_seen_subcommand_from run view check" -F -l set -x -d "KEY=JSON"
-complete -c weft -n "__fish_seen_subcommand_from run view check validate" -l solver -x -a '@SOLVERS@'
-complete -c weft -n "__fish_seen_subcommand_from run view check" -F -a "@SCENES@"
-complete -c weft -n "__fish_seen_subcommand_from run view check" -l nodes -x -d "N or NxM"
+set -l of_scenes "__fish_seen_subcommand_from run view check scene"
+complete -c weft -n $of_scenes -F -l set -x -d "KEY=JSON"
+complete -c weft -n "__fish_seen_subcommand_from run view check scene validate" -l solver -x -a '@SOLVERS@'
+complete -c weft -n $of_scenes -F -a "@SCENES@"
+complete -c weft -n $of_scenes -l nodes -x -d "N or NxM"
 complete -c weft -n "__fish_seen_subcommand_from run view" -l size -x -d "WxH"
 complete -c weft -n "__fish_seen_subcommand_from run view" -l view -x -a "@VIEWS@"
-complete -c weft -n "__fish_seen_subcommand_from run view" -s n -l frames -x
+complete -c weft -n "__fish_seen_subcommand_from run view scene" -s n -l frames -x
 complete -c weft -n "__fish_seen_subcommand_from run view" -s o -l out -r
 complete -c weft -n "__fish_seen_subcommand_from view" -l paused
 complete -c weft -n "__fish_seen_subcommand_from view" -l record
@@ -95,7 +98,7 @@ complete -c weft -n "__fish_seen_subcommand_from run view bench validate" -l ada
 complete -c weft -n "__fish_seen_subcommand_from run bench" -l json
 complete -c weft -n "__fish_seen_subcommand_from scenes fabrics validate" -l json
 complete -c weft -n "__fish_seen_subcommand_from validate" -l only -x -a "@LAWS@"
-set -l experiments hanging pull contact multigrid methods copy largest compare
+set -l experiments hanging pull contact multigrid methods scene copy largest compare
 complete -c weft -n "__fish_seen_subcommand_from bench; and not __fish_seen_subcommand_from $experiments" \
   -a "$experiments"
 complete -c weft -l quick \

@@ -53,9 +53,9 @@ void print(const bench::SheetRow& row) {
 nlohmann::ordered_json json_of(const bench::SheetRow& row) {
   nlohmann::ordered_json json = {{"object", row.object},
                                  {"variant", row.variant},
-                                 {"side", row.side},
                                  {"nodes", row.nodes},
                                  {"simulated_nodes", row.simulated_nodes}};
+  if (row.side > 0) json["side"] = row.side;
   if (!row.skipped.empty()) {
     json["skipped"] = row.skipped;
     return json;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "bench/scene_run.hpp"
 #include "bench/sheet_runs.hpp"
 #include "scene/load.hpp"
 
@@ -126,12 +127,8 @@ Result<SheetRow> measure_drape(gpu::Device& device, const Selection& selection, 
   const char* solver = row.variant == "explicit" ? "mass_spring" : kImplicit;
   WEFT_TRY(scene, scene::load_scene(drape_of(folders, row.object),
                                     SheetOfRuns().solved_by(row.side, solver, "\"auto\"")));
-  const std::uint32_t frames = selection.quick ? stops_of(selection).back() : scene.time.frames;
-  WEFT_TRY(run, run_timed(device, scene, assets, std::vector{frames}));
-  row.run = std::move(run);
-  row.state_hash = row.run.states.back().hash();
-  row.contact = outcome_of(row.run.totals);
-  return row;
+  if (selection.quick) scene.time.frames = stops_of(selection).back();
+  return measure_scene(device, scene, assets, std::move(row));
 }
 
 Result<void> run_drapes(gpu::Device& device, const Selection& selection, const Folders& folders,

@@ -47,6 +47,7 @@ Result<TimedRun> run_timed(gpu::Device& device, const scene::Scene& scene, const
     WEFT_TRY(state, world->snapshot());
     run.states.push_back(std::move(state));
   }
+  run.solver = world->plan().method().kind;
   run.substeps = world->substeps();
   run.dispatches_per_step = dispatches_per_step(*world);
   run.real_time_factor = 1000 * world->time() / std::accumulate(times.begin(), times.end(), 0.0);

@@ -12,6 +12,7 @@ namespace weft::bench {
 
 /// A scene from its start on, each frame timed by itself.
 struct TimedRun {
+  scene::SolverKind solver = {};         // which ran, where the scene says "auto"
   std::uint32_t substeps = 0;            // of a frame
   double dispatches_per_step = 0;        // searches included
   Timing frame;                          // ms a frame, queue drained after each; nothing else is in it

@@ -20,7 +20,8 @@ const std::vector<std::string> kCommands = {"run",      "view",   "check", "scen
 std::vector<std::vector<std::string>> every_command() {
   std::vector<std::vector<std::string>> all;
   for (const std::string& command : kCommands) all.push_back({command});
-  for (const char* experiment : {"hanging", "pull", "contact", "multigrid", "copy", "largest", "compare"})
+  for (const char* experiment :
+       {"hanging", "pull", "contact", "multigrid", "scene", "copy", "largest", "compare"})
     all.push_back({"bench", experiment});
   return all;
 }
@@ -198,7 +199,7 @@ TEST_CASE("a bench that there is not, or that is not said, is answered with thos
     CHECK(ended.code == 2);
     CHECK(check_message(ended.err) == "");
     CHECK(ended.err.rfind(begin, 0) == 0);
-    CHECK(ended.err.find("methods, copy, largest, compare;") != std::string::npos);
+    CHECK(ended.err.find("methods, scene, copy, largest, compare;") != std::string::npos);
   }
   CHECK(run_without_driver({"bench", "hanging", "--sides", "1"}).err.find("There is no") ==
         std::string::npos);
@@ -419,6 +420,8 @@ TEST_CASE("a wrong command line ends with exit code 2 and one sentence") {
                                                        {"bench", "multigrid", "--only", "implicit"},
                                                        {"bench", "multigrid", "--objects", "sphere"},
                                                        {"bench", "copy", "--sides", "64"},
+                                                       {"bench", "scene"},
+                                                       {"bench", "scene", scene, "--frames", "0"},
                                                        {"bench", "largest", "--memory", "0"},
                                                        {"bench", "compare", scene},
                                                        {"completion"},
