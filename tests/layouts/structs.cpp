@@ -371,7 +371,7 @@ Json tree_params() {
 Json contact_round() {
   using T = contact::Round;
   return row("Round", "contact/proximity/rounds.wgsl", sizeof(T), kExact,
-             {M(number), M(is_first), M(is_last)});
+             {M(number), M(is_first), M(is_last), M(since)});
 }
 Json colliders() {
   using List = std::array<std::array<std::uint32_t, 4>, contact::kMostColliders>;

@@ -172,6 +172,29 @@ TEST_CASE("edges are not stretched beside ways that were held back, but by what 
   }
 }
 
+TEST_CASE("cloth that flies close behind what is shortened for an edge does not fly into it") {
+  // A chain as above; behind each of its nodes flies another one, nearer than it goes.
+  constexpr double kGap = 0.3, kMargin = 0.02;
+  constexpr std::uint32_t kNodes = 12;
+  Net net;
+  std::vector<ClothPair> pairs;
+  for (std::uint32_t k = 0; k < kNodes; ++k) {
+    net.fly({static_cast<double>(k), 0, 0}, {0, 0, 1}, 1);
+    if (k > 0) net.yielding.push_back({k - 1, k});
+  }
+  for (std::uint32_t k = 0; k < kNodes; ++k) {
+    net.fly({static_cast<double>(k), 0, -kGap}, {0, 0, 1}, 1);
+    pairs.push_back({1, 1, {k, kNodes + k}, {0, 0, 1}, -0.5 * kGap, kMargin, 2 * kMargin, kGap});
+  }
+  const SolidPlane wall{0, {0, 0, -1}, 0, 0};
+  net.start[0].z = -1e-9;
+  truncate(std::span(&wall, 1), pairs, 99, net.ways(0));
+  for (std::uint32_t k = 0; k < kNodes; ++k) {
+    CHECK(net.end[k].z - net.end[kNodes + k].z >= 2 * kMargin - 1e-12);
+    CHECK(net.end[k].z == doctest::Approx(k <= 6 ? 0 : 1).scale(1));
+  }
+}
+
 TEST_CASE("beside a way that was held back what the scene moves goes its way, and what an obstacle drives") {
   Net moved;
   moved.add({0, 0, 0}, {-3, 0, 0}, 0);

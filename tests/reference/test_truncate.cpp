@@ -235,6 +235,28 @@ TEST_CASE("a substep that ends before its time is one that has gone some of its 
   CHECK(flown(count.delay / 2).first.end == held.end);
 }
 
+TEST_CASE("however many substeps end before their time, what is pressed comes no nearer than half a margin") {
+  constexpr double kMargin = 0.05;
+  std::vector<Vec3d> places;
+  for (std::uint32_t k = 0; k < 9; ++k) places.push_back({0, 1.0 * k, 0});
+  int delayed = 0;
+  for (int substep = 0; substep < 100; ++substep) {
+    Moved moved;
+    std::vector<ClothPair> pairs;
+    for (std::uint32_t k = 0; k < 9; ++k) {
+      moved.add(places[k], places[k] - Vec3d{0, k == 0 ? 0 : 5.0, 0}, k == 0 ? 0 : 1);
+      if (k == 0) continue;
+      const double gap = places[k].y - places[k - 1].y, middle = 0.5 * (places[k].y + places[k - 1].y);
+      pairs.push_back({1, 1, {k, k - 1}, kUp, middle, kMargin, std::min(gap, 2 * kMargin), gap});
+    }
+    if (moved.cut({}, pairs, 99, 0, 1000000).delay > 0) ++delayed;
+    places = moved.end;
+    for (std::uint32_t k = 1; k < 9; ++k) CHECK(places[k].y - places[k - 1].y >= 0.5 * kMargin - 1e-12);
+  }
+  MESSAGE(delayed, " of 100 substeps end before their time");
+  CHECK(delayed > 0);
+}
+
 TEST_CASE("random columns that fly into what stands keep apart all along, whatever they lose of their time") {
   Random random(62);
   int delayed = 0, held = 0;

@@ -67,8 +67,8 @@ void ClothPatches::record_marks(gpu::ComputePass& pass, std::size_t round) const
   if (count_ > 0) mark_.dispatch_strided(pass, round, kCellQuads * count_);
 }
 
-void ClothPatches::record_ends(gpu::ComputePass& pass) const {
-  if (count_ > 0) end_ways_.dispatch_strided(pass, 0, kCellQuads * count_);
+void ClothPatches::record_ends(gpu::ComputePass& pass, std::size_t round) const {
+  if (count_ > 0) end_ways_.dispatch_strided(pass, round, kCellQuads * count_);
 }
 
 }  // namespace weft::contact

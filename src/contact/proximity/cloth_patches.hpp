@@ -37,7 +37,7 @@ class ClothPatches {
   /// Reads   both positions [m], the second where ways end. Writes  pairs.vertex_contacts; state.statistics.
   void record_marks(gpu::ComputePass& pass, std::size_t round) const;
   /// In the first, after anything else that marks: says how far each vertex may go. Reads and writes the same.
-  void record_ends(gpu::ComputePass& pass) const;
+  void record_ends(gpu::ComputePass& pass, std::size_t round) const;
 
   /// Two for each patch: its axes, and λ in the first one's w.
   const gpu::Buffer<Vec4f>& openness() const { return openness_; }

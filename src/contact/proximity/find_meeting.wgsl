@@ -1,7 +1,8 @@
 // Finds the pairs of cloth whose sides may meet on the ways that their vertices go, and marks the vertices; and how far
 // each vertex may go before the planes half way between it and all that it is listed with: equation (6) of
 // docs/contact.md. The same before obstacles of pairs without record, for vertices that go far. Further rounds ask the
-// pairs of cloth again of which a vertex was not held back in those before. Grid-stride loop over the pairs.
+// pairs of cloth again of which a vertex was not held back in those before: ways were shortened since, also for edges
+// (shorten_ways.wgsl). Grid-stride loop over the pairs.
 #include "gpu/index.wgsl"
 #include "state/step.wgsl"
 #include "state/contact.wgsl"
@@ -63,7 +64,7 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
   if (thread == 0u) {
     let last = atomicLoad(&statistics[kStatMeeting]);
     let far = is_first && atomicLoad(&statistics[kStatFarWays]) != 0u;
-    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u || (last + 1u < this_round.number && !far);
+    let idle = atomicLoad(&statistics[kStatRolledBack]) != 0u || (last < this_round.since && !far);
     pairs = select(atomicLoad(&statistics[kStatPairs]), 0u, idle);
   }
   let count = workgroupUniformLoad(&pairs);
@@ -80,11 +81,9 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
     var all_held = true;
     for (var role = 0u; role < 4u; role++) {
       let vertex = ids[role] & kIdBits;
-      let inverse_mass = previous[vertex].w;
-      if (!is_first) {
-        let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kHeld;
-        all_held = all_held && (held != 0u || inverse_mass == 0.0);
-      } else if (inverse_mass != 0.0) {
+      let held = atomicLoad(&vertex_contacts[kVertexWords * vertex + kHeldWord]) & kHeld;
+      if (held == 0u && previous[vertex].w != 0.0) {
+        all_held = false;
         let side = select(-1.0, 1.0, role < roles_of_a(ids));
         let then = beyond_half(side, ends.along[role], ends.middle, ends.gap, ends.thickness);
         if (then > 0.0) {
@@ -93,9 +92,11 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
         }
       }
     }
-    if (!end_too_near(ids, ends) || (!is_first && all_held)) { continue; }
+    if (!end_too_near(ids, ends) || all_held) { continue; }
     if (this_round.is_last != 0u) {
-      let least = min(0.5 * ends.gap, least_apart(ends.gap, ends.thickness));
+      // No nearer than half a margin: where each substep halves a gap, f32 soon knows nothing of it.
+      let half = 0.5 * max(ends.gap, margin_of(ends.gap, ends.thickness));
+      let least = min(half, least_apart(ends.gap, ends.thickness));
       slow_all(part_until(ends.gap, ends.apart, least));
     }
     for (var role = 0u; role < 4u; role++) {

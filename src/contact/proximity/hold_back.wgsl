@@ -21,7 +21,7 @@
 @group(0) @binding(6) var<storage, read_write> velocity        : array<vec4f>; // vertex_count      m/s
 @group(0) @binding(7) var<storage, read_write> statistics      : array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read>       velocity_before : array<vec4f>; // vertex_count      m/s
-override kKeepsLost : bool = false;  // as in contact_respond.wgsl
+override kKeepsLost : bool = false;  // as in contact_respond.wgsl, in the first round, behind which ways are shortened
 const kDrivenPart = 0.01;  // of the thickness: no rounding
 
 // Equation (6h): a state on the straight line between those at the start and at the end of the substep.
@@ -29,7 +29,6 @@ fn end_before_time(vertex : u32, part : f32) {
   let start = previous[vertex];
   if (start.w == 0.0) { return; }
   position[vertex] = vec4f(start.xyz + part * (position[vertex].xyz - start.xyz), start.w);
-  if (kKeepsLost) { set_lost_way(vertex, part * lost_way(vertex)); }
   let before = velocity_before[vertex].xyz;
   velocity[vertex] = vec4f(before + part * (velocity[vertex].xyz - before), 0.0);
 }
@@ -60,7 +59,7 @@ fn hold_back(@builtin(global_invocation_id) id : vec3u) {
   vertex_contacts[kVertexWords * vertex + kHeldWord] = held | kHeld | select(0u, kCounted, count_now);
   if (found == 0u) { return; }
   let part = bitcast<f32>(~found);
-  if (kKeepsLost) {
+  if (kKeepsLost && this_round.is_first != 0u) {
     set_lost_way(vertex, lost_way(vertex) + (1.0 - part) * (position[vertex].xyz - start.xyz));
   }
   let end_of_way = start.xyz + part * (position[vertex].xyz - start.xyz);

@@ -1,7 +1,7 @@
 // Keeps open patches from folding, whose own pairs no search lists. In each round it marks the corners of triangles
 // that would fold on their ways, in further ones only where a corner was not held back; in the first one it asks for a
-// search where features may come near. As kEndWays it says, if anything is marked in the first round, how far each
-// vertex may go along the patch. Grid-stride loop over the quads of cells. Source: docs/contact.md, Patches.
+// search where features may come near. As kEndWays it says, if anything is marked in the round, how far each vertex may
+// go along the patch. Grid-stride loop over the quads of cells. Source: docs/contact.md, Patches.
 #include "gpu/index.wgsl"
 #include "state/contact.wgsl"
 #include "state/statistics.wgsl"

@@ -3,6 +3,8 @@
 namespace weft::contact {
 namespace {
 
+constexpr std::size_t kRoundsOfEnds =
+    2;  // in which ways along patches are measured: later ones find few more
 constexpr std::uint32_t kCalmFrames = 30;  // after which pressed cloth's iterations are no longer recorded
 
 }  // namespace
@@ -18,9 +20,8 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     std::vector<gpu::Constant> constants = {};
   };
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
-      move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0},
-      heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0}, rigid{"kRigid", setup.rigid ? 1.0 : 0.0},
-      keeps_lost{"kKeepsLost", setup.yielding.empty() ? 0.0 : 1.0};
+      move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0}, heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0},
+      rigid{"kRigid", setup.rigid ? 1.0 : 0.0}, keeps_lost{"kKeepsLost", setup.yielding.empty() ? 0.0 : 1.0};
   std::vector<Wanted> all = {
       {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},
       {made.respond_,
@@ -159,10 +160,10 @@ void Respond::record_hold_back(gpu::ComputePass& pass, const ClothPatches& patch
   for (std::size_t round = 0; round < holding_count_; ++round) {
     patches.record_marks(pass, round);
     find_meeting_.dispatch_strided(pass, round, pair_room_);
-    if (round == 0) patches.record_ends(pass);
+    if (round < kRoundsOfEnds) patches.record_ends(pass, round);
     hold_back_.dispatch(pass, round, vertex_count_);
+    if (round == 0) held_edges_.record(pass);
   }
-  held_edges_.record(pass);
 }
 
 }  // namespace weft::contact

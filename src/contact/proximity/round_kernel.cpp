@@ -4,27 +4,38 @@ namespace weft::contact {
 
 std::vector<Round> separation_rounds(std::size_t count) {
   std::vector<Round> rounds;
-  for (std::size_t round = 0; round < count; ++round)
-    rounds.push_back({.number = static_cast<std::uint32_t>(kMostSeparations + 1 + round - count),
-                      .is_first = round == 0 ? 1U : 0U});
+  for (std::size_t round = 0; round < count; ++round) {
+    const auto number = static_cast<std::uint32_t>(kMostSeparations + 1 + round - count);
+    const bool first = round == 0;
+    rounds.push_back({.number = number, .is_first = first ? 1U : 0U, .since = first ? 0 : number - 1});
+  }
   return rounds;
 }
 
 std::vector<Round> holding_rounds(bool self) {
   std::vector<Round> rounds;
-  for (std::size_t round = 0; round < (self ? kRounds : 1); ++round)
-    rounds.push_back({.number = static_cast<std::uint32_t>(kMostSeparations + 1 + round),
+  std::uint32_t number = kMostSeparations + 1, since = kMostSeparations;
+  for (std::size_t round = 0; round < (self ? kRounds : 1); ++round) {
+    rounds.push_back({.number = number,
                       .is_first = round == 0 ? 1U : 0U,
-                      .is_last = self && round + 1 == kRounds ? 1U : 0U});
+                      .is_last = self && round + 1 == kRounds ? 1U : 0U,
+                      .since = since});
+    since = number;
+    number += round == 0 ? kShortenings + 1 : 1;
+  }
   return rounds;
 }
 
 std::vector<Round> shortening_rounds() {
   std::vector<Round> rounds;
-  for (std::size_t round = 0; round < kShortenings; ++round)
-    rounds.push_back({.number = static_cast<std::uint32_t>(kMostSeparations + kRounds + 1 + round),
-                      .is_first = round == 0 ? 1U : 0U,
-                      .is_last = round + 1 == kShortenings ? 1U : 0U});
+  for (std::size_t round = 0; round < kShortenings; ++round) {
+    const auto number = static_cast<std::uint32_t>(kMostSeparations + 2 + round);
+    const bool first = round == 0;
+    rounds.push_back({.number = number,
+                      .is_first = first ? 1U : 0U,
+                      .is_last = round + 1 == kShortenings ? 1U : 0U,
+                      .since = first ? 0 : number - 1});
+  }
   return rounds;
 }
 

@@ -12,13 +12,14 @@
 namespace weft::contact {
 
 /// The rounds of a substep are numbered: pairs of cloth that may meet are separated in up to kMostSeparations, of which
-/// the last has that number, and cloth is then held back in kRounds; for edges that this leaves too long ways are
-/// shortened in kShortenings. Mirrors: state/contact.wgsl, reference/proximity/truncate.cpp.
+/// the last has that number, and cloth is then held back; for edges that this leaves too long ways are shortened in
+/// kShortenings. What that brings together is held back in the rest of kRounds. Mirrors: state/contact.wgsl,
+/// reference/proximity/truncate.cpp.
 inline constexpr std::size_t kMostSeparations = 6, kRounds = 3, kShortenings = 6;
 
 /// Mirror of src/contact/proximity/rounds.wgsl.
 struct Round {
-  std::uint32_t number = 1, is_first = 0, is_last = 0;
+  std::uint32_t number = 1, is_first = 0, is_last = 0, since = 0;
 };
 /// The `count` rounds that separate.
 std::vector<Round> separation_rounds(std::size_t count);

@@ -4,16 +4,15 @@
 #include "state/statistics.wgsl"
 struct Round {
   number : u32,
-  is_first : u32,  // 1: of those that separate, or of those that hold back
+  is_first : u32,  // 1: of those that separate, of those that hold back, or of those that shorten ways for edges
   is_last : u32,   // 1: of those that hold back, or of those that shorten ways for edges
+  since : u32,     // it asks only if that round or one after it had something to do; 0: always
 }
 
 const kBeyond = 1.001;  // of what an edge may be: one that is no longer stays as it is
 
-// Of a kernel that asks what there is to do in a round, and of the one that then `acts` on it. The first asks always,
-// another one if there was something to do in the round before it.
+// Of a kernel that asks what there is to do in a round, and of the one that then `acts` on it.
 fn round_is_idle(acts : bool) -> bool {
-  let asks = this_round.is_first != 0u && !acts;
   return atomicLoad(&statistics[kStatRolledBack]) != 0u ||
-         (!asks && atomicLoad(&statistics[kStatMeeting]) + select(1u, 0u, acts) < this_round.number);
+         atomicLoad(&statistics[kStatMeeting]) < select(this_round.since, this_round.number, acts);
 }

@@ -13,7 +13,8 @@ namespace {
 
 /// In which cloth is held back; in the last one the substep ends before its time, or all of it is held.
 constexpr int kRounds = 3;
-/// In which ways are then shortened for the edges between them. Mirror: contact/proximity/round_kernel.hpp.
+/// In which, after the first of those, ways are shortened for the edges between them.
+/// Mirror: contact/proximity/round_kernel.hpp.
 constexpr int kShortenings = 6;
 /// An edge that is no longer than this part of what it may be stays as it is.
 constexpr double kBeyondLimit = 1.001;
@@ -117,7 +118,7 @@ class Truncation {
       if (all_held || !may_meet(pair, ways_.start, ways_.end)) continue;
       any = true;
       const double then = sides_of(pair, [&](std::uint32_t node) { return ways_.end[node]; }).apart();
-      const double least = std::min(0.5 * pair.gap, pair.apart);
+      const double least = std::min(0.5 * std::max(pair.gap, pair.margin), pair.apart);
       if (then < least) part_ = std::min(part_, std::clamp((pair.gap - least) / (pair.gap - then), 0.0, 1.0));
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }
@@ -353,15 +354,16 @@ Truncated truncate(std::span<const SolidPlane> planes, std::span<const ClothPair
   truncation.before_solids(reach);
   for (std::uint32_t round = 0; round < ways.separations; ++round)
     if (!truncation.separate_meeting(reach)) break;
-  for (int round = 1; truncation.find_meeting(); ++round) {
+  if (truncation.find_meeting()) truncation.hold_marked();
+  for (int round = 0; round < kShortenings; ++round)
+    if (!truncation.shorten_for_edges()) break;
+  for (int round = 2; truncation.find_meeting(); ++round) {
     if (round == kRounds) {
       if (!truncation.end_before_time()) truncation.hold_all();
       break;
     }
     truncation.hold_marked();
   }
-  for (int round = 0; round < kShortenings; ++round)
-    if (!truncation.shorten_for_edges()) break;
   return truncation.count();
 }
 
