@@ -69,11 +69,10 @@ Result<void> SceneContact::create_proximity(gpu::Device& device, const GpuModel&
   const ContactRoom room = setup.room ? *setup.room : first_room(model);
   WEFT_TRY(contacts, Contacts::create_pairs(device, model.host, room, setup.solved));
   contacts_ = std::move(contacts);
-  WEFT_TRY(proximity,
-           Proximity::create(device, model, state, *contacts_->pairs, scene,
-                             {assets.objects, assets.object_colliders, assets.deformations},
-                             {setup.most_substeps, setup.interval, setup.step, setup.solved.without_history,
-                              setup.solved.own_pairs, setup.workgroup_size}));
+  WEFT_TRY(proximity, Proximity::create(device, model, state, *contacts_->pairs, scene,
+                                        {assets.objects, assets.object_colliders, assets.deformations},
+                                        {setup.most_substeps, setup.interval, setup.step, setup.solved,
+                                         setup.workgroup_size}));
   proximity_ = std::make_unique<Proximity>(std::move(proximity));
   WEFT_TRY(counts, gpu::Buffer<float>::create(device, model.vertex_count(), "contact counts"));
   counts_ = std::move(counts);

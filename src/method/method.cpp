@@ -265,7 +265,7 @@ SolvedContact solved_contact(const scene::Scene& scene, const Method& method) {
   const bool has_bodies = std::any_of(scene.cloths.begin(), scene.cloths.end(),
                                       [](const scene::Cloth& cloth) { return cloth.solid.has_value(); });
   return {solves, solves && method.holds_pairs && scene.contact.self, method.order > 1,
-          method.bounds_nodes && has_bodies};
+          method.bounds_nodes && has_bodies, solves && method.holds_pairs};
 }
 
 bool leaves_obstacles(const scene::Scene& scene, const Method& method) {

@@ -104,7 +104,7 @@ Result<Simulation> Simulation::create(const scene::Scene& scene, const Assets& a
     WEFT_CHECK(made.add_colliders(assets));
   if (method == scene::ContactMethod::Proximity)
     made.proximity_.emplace(scene, *made.model_, assets.objects, assets.deformations, made.step(),
-                            solved_contact(scene, made.plan_.method()).own_pairs);
+                            solved_contact(scene, made.plan_.method()));
   made.reset();
   return made;
 }

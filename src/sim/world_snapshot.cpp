@@ -162,7 +162,9 @@ Result<void> World::put_back(const Snapshot& snapshot) {
     state_.velocity[1 - parity_].write(device_, snapshot.velocity_before);
     last_good_->renew_before(device_, snapshot.position_before, snapshot.velocity_before);
   } else {
-    for (Vec4f& v : velocity) v.w = 0;
+    // A method that does not look back marks what obstacles hold, and makes that anew in each substep.
+    const bool looks_back = plan_.method().history > 0;
+    for (Vec4f& v : velocity) v.w = looks_back ? 0 : std::min(v.w, 0.0F);
   }
   state_.position[parity_].write(device_, snapshot.position);
   state_.velocity[parity_].write(device_, velocity);

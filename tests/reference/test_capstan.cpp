@@ -17,7 +17,8 @@ CapstanWatch seen_in_double(const Capstan& capstan) {
   const StripOverCapsule begun = capstan.strip();
   for (Vec3d& x : now.position) x = begun.draped(x);
   const Assets assets = capstan.assets(scene);
-  reference::Proximity contact(scene, strip.model, assets.objects, assets.deformations, 1.0 / 480);
+  reference::Proximity contact(scene, strip.model, assets.objects, assets.deformations, 1.0 / 480,
+                               {.balances = true});
   CapstanWatch watch(capstan, now);
   const double dt = 1.0 / 480;
   for (int step = 0; step < 8 * static_cast<int>(capstan.frames); ++step) {

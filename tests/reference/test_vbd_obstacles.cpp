@@ -52,7 +52,8 @@ CapstanWatch seen_by_vbd(const Capstan& capstan) {
   for (Vec3d& x : now.position) x = begun.draped(x);
   const Assets assets = capstan.assets(scene);
   const double dt = 1.0 / 60 / kSubsteps;
-  reference::Proximity contact(scene, strip.model, assets.objects, assets.deformations, dt, true);
+  reference::Proximity contact(scene, strip.model, assets.objects, assets.deformations, dt,
+                               {.own_pairs = true});
   CapstanWatch watch(capstan, now);
   for (int step = 0; step < kSubsteps * static_cast<int>(capstan.frames); ++step) {
     const std::vector<Vec3d> before = now.position, velocity_before = now.velocity;

@@ -76,8 +76,8 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   WEFT_TRY(respond,
            Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
                                     contact_iterations(wanted.step), lengths.self_thickness > 0,
-                                    made.presses_, wanted.own_pairs, made.rigid_.any(), edges, yielding.edges,
-                                    yielding.time, wanted.workgroup_size}));
+                                    made.presses_, wanted.solved.balances, made.rigid_.any(), edges,
+                                    yielding.edges, yielding.time, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;
@@ -117,12 +117,12 @@ Result<void> Proximity::bind_own(gpu::Device& device, const State& state, const 
 
 Result<void> Proximity::create_kernels(gpu::Device& device, const State& state, const ProximitySetup& setup) {
   const std::uint32_t workgroup_size = setup.workgroup_size;
-  const gpu::Constant own_pairs{"kOwnPairs", setup.own_pairs ? 1.0 : 0.0};
+  const gpu::Constant own_pairs{"kOwnPairs", setup.solved.own_pairs ? 1.0 : 0.0};
   WEFT_TRY(evaluate, gpu::Kernel::create(device, "contact/proximity/evaluate.wgsl",
                                          {own_pairs, {"kRigid", rigid_.any() ? 1.0 : 0.0}}, workgroup_size));
   evaluate_ = std::move(evaluate);
   if (presses_) {
-    const gpu::Constant forgets{"kForgets", setup.without_history ? 1.0 : 0.0};
+    const gpu::Constant forgets{"kForgets", setup.solved.without_history ? 1.0 : 0.0};
     WEFT_SET(press_, gpu::Kernel::create(device, "contact/proximity/press.wgsl", {forgets, own_pairs},
                                          workgroup_size));
     WEFT_SET(press_pairs_,

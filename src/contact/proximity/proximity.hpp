@@ -8,6 +8,7 @@
 #include "contact/proximity/pair_search.hpp"
 #include "contact/proximity/respond.hpp"
 #include "contact/proximity/rigid_bodies.hpp"
+#include "contact/rules/solved_contact.hpp"
 #include "contact/stages/stages.hpp"
 
 namespace weft::contact {
@@ -23,10 +24,10 @@ struct ProximityLengths {
 Result<ProximityLengths> proximity_lengths(const Model& model, const scene::Contact& contact);
 
 struct ProximitySetup {
-  std::uint32_t substeps = 1;                       // the most of any frame
-  std::uint32_t interval = 4;                       // of them from one that may search to the next
-  double step = 0;                                  // length of a substep, where frames are not cut [s]
-  bool without_history = false, own_pairs = false;  // SolvedContact
+  std::uint32_t substeps = 1;  // the most of any frame
+  std::uint32_t interval = 4;  // of them from one that may search to the next
+  double step = 0;             // length of a substep, where frames are not cut [s]
+  SolvedContact solved;
   std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
 };
 

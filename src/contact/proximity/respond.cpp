@@ -20,7 +20,7 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
     std::vector<gpu::Constant> constants = {};
   };
   const gpu::Constant presses{"kPresses", setup.presses ? 1.0 : 0.0},
-      move{"kMove", setup.presses && !setup.own_pairs ? 0.0 : 1.0}, heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0},
+      move{"kMove", setup.balances ? 0.0 : 1.0}, heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0},
       rigid{"kRigid", setup.rigid ? 1.0 : 0.0}, keeps_lost{"kKeepsLost", setup.yielding.empty() ? 0.0 : 1.0};
   std::vector<Wanted> all = {
       {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},

@@ -27,7 +27,7 @@ class Respond {
     std::uint32_t separations = 1;         // rounds; no more than kMostSeparations
     bool self = false;                     // whether cloth meets cloth
     bool presses = false;                  // a solver's matrix holds vertices at obstacles
-    bool own_pairs = false;                // SolvedContact
+    bool balances = false;                 // SolvedContact
     bool rigid = false;                    // whether there are rigid bodies
     std::span<const LimitedEdge> edges;    // of cloth with a strain limit
     std::span<const mesh::Edge> yielding;  // beside ways that are held back; may be none

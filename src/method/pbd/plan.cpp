@@ -59,7 +59,9 @@ StiffeningRange pbd_stiffening(const scene::Solver& settings, const Model& model
 
 Method pbd_method() {
   Method row = projection_row(scene::SolverKind::Pbd);
-  row.memory = [](const scene::Solver&) { return SolverMemory{72, 72}; };  // 12 bytes a spring, six a node
+  row.memory = [](const scene::Solver&) {
+    return SolverMemory{136, 72};
+  };  // 12 bytes a spring; of the rest 64 with obstacles alone
   row.stiffening = pbd_stiffening;
   row.blow_part = 0.025;
   return row;

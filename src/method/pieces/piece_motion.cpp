@@ -36,21 +36,20 @@ Result<bool> PieceMotion::create_lists(const SolverInputs& inputs, PiecesOf of) 
   return true;
 }
 
-Result<PieceMotion> PieceMotion::create_of_ways(const SolverInputs& inputs, const gpu::Buffer<Vec4f>& aim,
-                                                const std::string& held) {
+Result<PieceMotion> PieceMotion::create_of_ways(const SolverInputs& inputs, const gpu::Buffer<Vec4f>& aim) {
   PieceMotion made;
   WEFT_TRY(any, made.create_lists(inputs, PiecesOf::Elements));
   if (!any) return made;
   const State& state = inputs.state;
-  WEFT_TRY(sum, gpu::create_shared_kernel(inputs.device, held.empty() ? "method/pieces/sum_ways.wgsl" : held,
-                                          {}, inputs.workgroup_size));
+  const bool holds = inputs.presses() != nullptr;
+  const char* shader = holds ? "method/holds/sum_held_ways.wgsl" : "method/pieces/sum_ways.wgsl";
+  WEFT_TRY(sum, gpu::create_shared_kernel(inputs.device, shader, {}, inputs.workgroup_size));
   WEFT_SET(made.sum_, gpu::Dispatch::create_by_parity(sum, sum->workgroups_of(made.lanes_),
                                                       [&](std::size_t p) -> gpu::Dispatch::Bindings {
                                                         gpu::Dispatch::Bindings all{
                                                             made.lists_, state.position[p], aim,
                                                             state.position[1 - p], made.sums_};
-                                                        if (!held.empty())
-                                                          all.insert(all.begin(), state.steps);
+                                                        if (holds) all.insert(all.begin(), state.steps);
                                                         return all;
                                                       }));
   WEFT_TRY(move, gpu::create_shared_kernel(inputs.device, "method/pieces/move_ways.wgsl", {},

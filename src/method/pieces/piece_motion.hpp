@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "gpu/dispatch.hpp"
 #include "method/pieces/free_pieces.hpp"
@@ -20,13 +19,12 @@ inline constexpr std::uint32_t kTurnColumns = 2;
 /// Source  docs/momentum.md.
 class PieceMotion {
  public:
-  /// Of a method that moves ways, and knows what they are without elements, `aim` [m]. `held`: where obstacles may bear
-  /// nodes, its kernel for the sums of chunks, which binds steps, lists, places, aim, ways and sums.
+  /// Of a method that moves ways, and knows what they are without elements, `aim` [m], and which nodes obstacles bear
+  /// where it answers them (src/method/holds/node_holds.wgsl).
   /// Reads   steps; position[parity] [m]; aim.
   /// Writes  position[1 - parity]: the ways [m].
   /// Errors  Shader, Limit, OutOfMemory.
-  static Result<PieceMotion> create_of_ways(const SolverInputs& inputs, const gpu::Buffer<Vec4f>& aim,
-                                            const std::string& held = {});
+  static Result<PieceMotion> create_of_ways(const SolverInputs& inputs, const gpu::Buffer<Vec4f>& aim);
   /// Of a method that has ended its substep; with drag, air or gas it moves nothing.
   /// Reads   steps; position[parity] [m], velocity[parity] [m/s]; rest_position, motions.
   ///         position[1 - parity] [m].

@@ -20,7 +20,8 @@ Method projection_row(scene::SolverKind kind) {
   row.cost = nullptr;
   row.settings_word = [](const scene::Solver&) { return ""; };
   row.search_interval = 1;
-  row.holds_obstacles = false;
+  row.holds_obstacles = true;
+  row.bounds_nodes = true;
   row.sweeps = true;
   row.tethers = true;
   row.history = 0;

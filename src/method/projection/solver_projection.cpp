@@ -1,17 +1,21 @@
 #include "method/projection/solver_projection.hpp"
 
+#include "method/holds/held_ways.hpp"
 #include "model/tethers.hpp"
 
 namespace weft {
 
 void SolverProjection::record(gpu::ComputePass& pass, const contact::Stages& contact, std::uint32_t) const {
+  contact.press(pass);
   gas_.record(pass);
   predict_way_.record(pass);
+  begin_holds_.record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep == 0 ? first_sweep_ : later_sweep_) color.record(pass);
     for (const ProjectFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
     for (const ProjectSolid& solid : solids_) solid.record(pass, sweep == 0);
     keep_tethers_.record(pass);
+    project_holds_.record(pass);
   }
   end_way_.record(pass);
   contact.search(pass);
@@ -54,7 +58,29 @@ Result<void> SolverProjection::create_nodes(const SolverInputs& inputs) {
                  return {state.steps,   state.position[p],     state.velocity[p], inputs.model.rest_position,
                          state.motions, state.position[1 - p], corners_};
                }));
-  WEFT_SET(end_way_, create_end_way(inputs, false));
+  if (inputs.presses() != nullptr) WEFT_CHECK(create_holds(inputs));
+  WEFT_SET(end_way_, create_end_held_way(inputs, aim_, false));
+  return {};
+}
+
+Result<void> SolverProjection::create_holds(const SolverInputs& inputs) {
+  const State& state = inputs.state;
+  const std::uint32_t count = inputs.model.vertex_count();
+  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, aim_words(inputs), "aims"));
+  WEFT_TRY(begin, gpu::create_shared_kernel(inputs.device, "method/projection/begin_holds.wgsl", {},
+                                            inputs.workgroup_size));
+  WEFT_SET(begin_holds_,
+           gpu::Dispatch::create_by_parity(begin, begin->workgroups_of(count),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {state.steps, state.velocity[p], *inputs.presses(), aim_};
+                                           }));
+  WEFT_TRY(project, gpu::create_shared_kernel(inputs.device, "method/projection/project_holds.wgsl", {},
+                                              inputs.workgroup_size));
+  WEFT_SET(project_holds_,
+           gpu::Dispatch::create_by_parity(project, project->workgroups_of(count),
+                                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                                             return {state.steps, aim_, state.position[1 - p]};
+                                           }));
   return {};
 }
 

@@ -25,6 +25,7 @@ class SolverProjection : public Solver {
  private:
   Result<void> create_springs(const SolverInputs& inputs);
   Result<void> create_nodes(const SolverInputs& inputs);
+  Result<void> create_holds(const SolverInputs& inputs);
   Result<void> create_tethers(const SolverInputs& inputs);
   Result<Sweep> create_sweep(const SolverInputs& inputs, bool pulled) const;
 
@@ -42,7 +43,9 @@ class SolverProjection : public Solver {
   // While elements are projected, position[1 - parity] holds ways from position[parity], not places.
   gpu::Buffer<std::array<std::uint32_t, 2>> tethers_;  // rows of nodes, then a held node and the bits of m
   gpu::Dispatch predict_way_, keep_tethers_, end_way_;
-  Sweep first_sweep_, later_sweep_;  // over springs
+  gpu::Buffer<Vec4f> aim_;                     // how far obstacles move each node [m]; node_holds.wgsl
+  gpu::Dispatch begin_holds_, project_holds_;  // where it answers obstacles
+  Sweep first_sweep_, later_sweep_;            // over springs
   std::uint32_t iterations_ = 1;
   Multipliers multipliers_ = Multipliers::Kept;
 };

@@ -9,7 +9,7 @@
 @group(0) @binding(1) var<uniform>             cloth       : RelaxedNodes;
 @group(0) @binding(2) var<storage, read>       gathers     : array<u32>;    // rows of nodes, then places in `pulls`
 @group(0) @binding(3) var<storage, read>       pulls       : array<vec4f>;  // 4 * tets      N
-@group(0) @binding(4) var<storage, read>       aim         : array<vec4f>;  // vertex_count  m
+@group(0) @binding(4) var<storage, read_write> aim         : array<vec4f>;  // vertex_count  m
 @group(0) @binding(5) var<storage, read>       way         : array<vec4f>;  // vertex_count  m (w: 1/kg)
 @group(0) @binding(6) var<storage, read_write> way_next    : array<vec4f>;  // vertex_count  m (w: 1/kg)
 @group(0) @binding(7) var<storage, read_write> left        : array<vec4f>;  // vertex_count  m (w: 1/kg)

@@ -13,7 +13,7 @@
 @group(0) @binding(3) var<storage, read>       slices      : array<u32>;        // slices + 1: each one's first entry
 @group(0) @binding(4) var<storage, read>       neighbours  : array<Neighbour>;  // 2 * springs, and fillers
 @group(0) @binding(5) var<storage, read>       position_in : array<vec4f>;      // vertex_count           m
-@group(0) @binding(6) var<storage, read>       aim         : array<vec4f>;      // vertex_count           m
+@group(0) @binding(6) var<storage, read_write> aim         : array<vec4f>;      // vertex_count           m
 @group(0) @binding(7) var<storage, read>       way         : array<vec4f>;      // vertex_count           m (w: 1/kg)
 @group(0) @binding(8) var<storage, read_write> way_next    : array<vec4f>;      // vertex_count           m (w: 1/kg)
 @group(0) @binding(9) var<storage, read_write> left        : array<vec4f>;      // vertex_count           m (w: 1/kg)

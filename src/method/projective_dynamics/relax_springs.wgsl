@@ -16,6 +16,7 @@
 @group(0) @binding(7) var<storage, read_write> change_next : array<vec4f>;      // vertex_count           m
 @group(0) @binding(8) var<storage, read_write> left        : array<vec4f>;      // vertex_count           m (w: 1/kg)
 @group(0) @binding(9) var<storage, read_write> way         : array<vec4f>;      // vertex_count           m (w: 1/kg)
+@group(0) @binding(10) var<storage, read_write> aim         : array<vec4f>;      // vertex_count           m
 
 @compute @workgroup_size(kWorkgroupSize)
 fn relax_springs(@builtin(global_invocation_id) id : vec3u) {

@@ -19,7 +19,7 @@ Result<RelaxedState> RelaxedState::create(const SolverInputs& inputs, const Rela
       made.weights.back().push_back(std::move(uniform));
     }
   }
-  WEFT_SET(made.aim, gpu::Buffer<Vec4f>::create(inputs.device, count, "aims"));
+  WEFT_SET(made.aim, gpu::Buffer<Vec4f>::create(inputs.device, aim_words(inputs), "aims"));
   WEFT_SET(made.way, gpu::Buffer<Vec4f>::create(inputs.device, count, "ways"));
   WEFT_SET(made.left, gpu::Buffer<Vec4f>::create(inputs.device, count, "what is left"));
   for (gpu::Buffer<Vec4f>& change : made.change)
@@ -30,14 +30,16 @@ Result<RelaxedState> RelaxedState::create(const SolverInputs& inputs, const Rela
 Result<gpu::Dispatch> relax_dispatch(const SolverInputs& inputs, const Body& body,
                                      const RelaxedState& relaxed, const ClothRelaxation& cloth,
                                      std::size_t cycle, std::size_t iteration) {
-  return dispatch_over(inputs, cloth.shader, body, [&](std::size_t p) {
+  const auto bindings = [&](std::size_t p) {
     gpu::Dispatch::Bindings all = {inputs.state.steps, cloth.nodes, relaxed.weights[cycle][iteration]};
     all.insert(all.end(), cloth.lists.begin(), cloth.lists.end());
     const gpu::Dispatch::Bindings nodes = {relaxed.change[iteration % 2], relaxed.change[(iteration + 1) % 2],
-                                           relaxed.left, relaxed.ways_after(cycle + 1, inputs.state, p)};
+                                           relaxed.left, relaxed.ways_after(cycle + 1, inputs.state, p),
+                                           relaxed.aim};
     all.insert(all.end(), nodes.begin(), nodes.end());
     return all;
-  });
+  };
+  return dispatch_over(inputs, cloth.shader, body, bindings, holds_constant(inputs));
 }
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/dispatch.hpp"
+#include "method/holds/held_ways.hpp"
 #include "method/projective_dynamics/relaxation.hpp"
 #include "method/solver.hpp"
 
@@ -32,10 +33,10 @@ static_assert(sizeof(Iteration) == 16);
 struct RelaxedState {
   Relaxation relaxation;
   std::vector<std::vector<gpu::Buffer<Iteration>>> weights;  // of each cycle's iterations after the first
-  gpu::Buffer<Vec4f> aim;                                    // the way of each node without elements [m]
-  gpu::Buffer<Vec4f> way;                                    // every second cycle's
-  gpu::Buffer<Vec4f> left;                                   // of the global system [m]
-  std::array<gpu::Buffer<Vec4f>, 2> change;                  // of the way, in turns [m]
+  gpu::Buffer<Vec4f> aim;   // the way of each node without elements [m]; src/method/holds/node_holds.wgsl
+  gpu::Buffer<Vec4f> way;   // every second cycle's
+  gpu::Buffer<Vec4f> left;  // of the global system [m]
+  std::array<gpu::Buffer<Vec4f>, 2> change;  // of the way, in turns [m]
 
   /// Errors  Limit, OutOfMemory.
   static Result<RelaxedState> create(const SolverInputs& inputs, const Relaxation& relaxation);
@@ -48,8 +49,9 @@ struct RelaxedState {
 /// Errors  Shader, Limit, OutOfMemory.
 template <class Bindings>
 Result<gpu::Dispatch> dispatch_over(const SolverInputs& inputs, const char* shader, const Body& body,
-                                    const Bindings& bindings) {
-  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, shader, {}, inputs.workgroup_size));
+                                    const Bindings& bindings,
+                                    const std::vector<gpu::Constant>& constants = {}) {
+  WEFT_TRY(kernel, gpu::create_shared_kernel(inputs.device, shader, constants, inputs.workgroup_size));
   return gpu::Dispatch::create_by_parity(kernel, kernel->workgroups_of(body.vertex_count), bindings);
 }
 

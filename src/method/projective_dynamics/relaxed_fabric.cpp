@@ -69,18 +69,21 @@ Result<RelaxedFabric> RelaxedFabric::create(const SolverInputs& inputs, const Bo
                                            relaxed.left};
                                  }));
     dispatches.push_back(std::move(pull));
-    WEFT_TRY(bend, dispatch_over(inputs, "method/projective_dynamics/project_fabric.wgsl", body,
-                                 [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                   return {state.steps,
-                                           made.nodes_,
-                                           made.slices_,
-                                           made.pairs_,
-                                           state.position[p],
-                                           relaxed.ways_after(cycle, state, p),
-                                           relaxed.ways_after(cycle + 1, state, p),
-                                           relaxed.left,
-                                           relaxed.change[0]};
-                                 }));
+    WEFT_TRY(bend, dispatch_over(
+                       inputs, "method/projective_dynamics/project_fabric.wgsl", body,
+                       [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                         return {state.steps,
+                                 made.nodes_,
+                                 made.slices_,
+                                 made.pairs_,
+                                 state.position[p],
+                                 relaxed.ways_after(cycle, state, p),
+                                 relaxed.ways_after(cycle + 1, state, p),
+                                 relaxed.left,
+                                 relaxed.change[0],
+                                 relaxed.aim};
+                       },
+                       holds_constant(inputs)));
     dispatches.push_back(std::move(bend));
     return {};
   };

@@ -16,18 +16,20 @@ Result<void> RelaxedSolid::create_cycle(const SolverInputs& inputs, const Body& 
                                                      turned_,           pulls_};
                                            }));
   dispatches_.push_back(std::move(pulling));
-  WEFT_TRY(project, dispatch_over(inputs, "method/projective_dynamics/project_solid.wgsl", body,
-                                  [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                    return {state.steps,
-                                            nodes_,
-                                            gathers_,
-                                            pulls_,
-                                            relaxed.aim,
-                                            relaxed.ways_after(cycle, state, p),
-                                            relaxed.ways_after(cycle + 1, state, p),
-                                            relaxed.left,
-                                            relaxed.change[0]};
-                                  }));
+  WEFT_TRY(project, dispatch_over(
+                        inputs, "method/projective_dynamics/project_solid.wgsl", body,
+                        [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                          return {state.steps,
+                                  nodes_,
+                                  gathers_,
+                                  pulls_,
+                                  relaxed.aim,
+                                  relaxed.ways_after(cycle, state, p),
+                                  relaxed.ways_after(cycle + 1, state, p),
+                                  relaxed.left,
+                                  relaxed.change[0]};
+                        },
+                        holds_constant(inputs)));
   dispatches_.push_back(std::move(project));
   WEFT_TRY(back, gpu::create_shared_kernel(inputs.device, "method/projective_dynamics/pull_tets_back.wgsl",
                                            {}, inputs.workgroup_size));

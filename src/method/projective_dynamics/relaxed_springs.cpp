@@ -19,20 +19,22 @@ Result<RelaxedSprings> RelaxedSprings::create(const SolverInputs& inputs, const 
   WEFT_SET(made.nodes_,
            gpu::create_uniform(device, relaxed_nodes(body, rates, relaxed.relaxation), "relaxed nodes"));
   const auto project = [&](std::size_t cycle, std::vector<gpu::Dispatch>& dispatches) -> Result<void> {
-    WEFT_TRY(dispatch, dispatch_over(inputs, "method/projective_dynamics/project_springs.wgsl", body,
-                                     [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                                       return {state.steps,
-                                               made.nodes_,
-                                               made.kinds_,
-                                               made.slices_,
-                                               made.neighbours_,
-                                               state.position[p],
-                                               relaxed.aim,
-                                               relaxed.ways_after(cycle, state, p),
-                                               relaxed.ways_after(cycle + 1, state, p),
-                                               relaxed.left,
-                                               relaxed.change[0]};
-                                     }));
+    WEFT_TRY(dispatch, dispatch_over(
+                           inputs, "method/projective_dynamics/project_springs.wgsl", body,
+                           [&](std::size_t p) -> gpu::Dispatch::Bindings {
+                             return {state.steps,
+                                     made.nodes_,
+                                     made.kinds_,
+                                     made.slices_,
+                                     made.neighbours_,
+                                     state.position[p],
+                                     relaxed.aim,
+                                     relaxed.ways_after(cycle, state, p),
+                                     relaxed.ways_after(cycle + 1, state, p),
+                                     relaxed.left,
+                                     relaxed.change[0]};
+                           },
+                           holds_constant(inputs)));
     dispatches.push_back(std::move(dispatch));
     return {};
   };

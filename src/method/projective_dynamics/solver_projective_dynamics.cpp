@@ -6,8 +6,10 @@ namespace weft {
 
 void SolverProjectiveDynamics::record(gpu::ComputePass& pass, const contact::Stages& contact,
                                       std::uint32_t) const {
+  contact.press(pass);
   gas_.record(pass);
   start_way_.record(pass);
+  begin_holds_.record(pass);
   for (const RelaxedSprings& cloth : springs_)
     for (const gpu::Dispatch& dispatch : cloth.dispatches()) dispatch.record(pass);
   for (const RelaxedFabric& cloth : fabrics_)
@@ -40,8 +42,9 @@ Result<std::unique_ptr<Solver>> SolverProjectiveDynamics::create(const scene::So
   };
   WEFT_SET(made->gas_, GasOnWays::create(inputs, way_of));
   WEFT_SET(made->start_way_, create_start_way(inputs, made->corners_, made->gas_, relaxed.aim, way_of));
+  WEFT_SET(made->begin_holds_, create_begin_holds(inputs, relaxed.aim, way_of));
   WEFT_SET(made->pieces_, PieceMotion::create_of_ways(inputs, relaxed.aim));
-  WEFT_SET(made->end_way_, create_end_way(inputs, true));
+  WEFT_SET(made->end_way_, create_end_held_way(inputs, relaxed.aim, true));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body& body = model.bodies[b];
     if (body.fabric) {

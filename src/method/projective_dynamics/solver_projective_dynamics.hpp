@@ -28,7 +28,7 @@ class SolverProjectiveDynamics : public Solver {
   GasOnWays gas_;
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
-  gpu::Dispatch start_way_, end_way_;
+  gpu::Dispatch start_way_, begin_holds_, end_way_;
 };
 
 }  // namespace weft

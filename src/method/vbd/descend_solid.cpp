@@ -1,5 +1,6 @@
 #include "method/vbd/descend_solid.hpp"
 
+#include "method/holds/held_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 
 namespace weft {

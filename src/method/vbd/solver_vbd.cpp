@@ -1,5 +1,6 @@
 #include "method/vbd/solver_vbd.hpp"
 
+#include "method/holds/held_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 
 namespace weft {
@@ -8,7 +9,7 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
   contact.press(pass);
   gas_.record(pass);
   start_way_.record(pass);
-  if (begin_holds_) begin_holds_->record(pass);
+  begin_holds_.record(pass);
   for (std::uint32_t sweep = 0; sweep < iterations_; ++sweep) {
     for (const gpu::Dispatch& color : sweep_) color.record(pass);
     for (const DescendFabric& fabric : fabrics_) fabric.record(pass, sweep == 0);
@@ -24,38 +25,14 @@ void SolverVbd::record(gpu::ComputePass& pass, const contact::Stages& contact, s
 
 Result<void> SolverVbd::create_nodes(const SolverInputs& inputs) {
   const State& state = inputs.state;
-  const std::uint32_t count = inputs.model.vertex_count();
-  const std::size_t words = inputs.presses() != nullptr ? 4 : 1;
-  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, words * count, "aims"));
+  WEFT_SET(aim_, gpu::Buffer<Vec4f>::create(inputs.device, aim_words(inputs), "aims"));
   WEFT_SET(corners_, corners_in_air(inputs));
   const WayOf way_of = [&](std::size_t p) -> const gpu::Buffer<Vec4f>& { return state.position[1 - p]; };
   WEFT_SET(gas_, GasOnWays::create(inputs, way_of));
   WEFT_SET(start_way_, create_start_way(inputs, corners_, gas_, aim_, way_of));
-  WEFT_SET(pieces_,
-           PieceMotion::create_of_ways(inputs, aim_, words > 1 ? "method/vbd/sum_held_ways.wgsl" : ""));
-  if (words > 1) return create_holds(inputs);
-  WEFT_SET(end_way_, create_end_way(inputs, true));
-  return {};
-}
-
-Result<void> SolverVbd::create_holds(const SolverInputs& inputs) {
-  const State& state = inputs.state;
-  const std::uint32_t count = inputs.model.vertex_count();
-  WEFT_TRY(begin, gpu::create_shared_kernel(inputs.device, "method/vbd/begin_holds.wgsl", {},
-                                            inputs.workgroup_size));
-  WEFT_SET(begin_holds_,
-           gpu::Dispatch::create_by_parity(
-               begin, begin->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                 return {state.steps, state.velocity[p],    state.velocity[1 - p], *inputs.presses(),
-                         aim_,        state.position[1 - p]};
-               }));
-  WEFT_TRY(end, gpu::create_shared_kernel(inputs.device, "method/vbd/end_held_way.wgsl", {},
-                                          inputs.workgroup_size));
-  WEFT_SET(end_way_,
-           gpu::Dispatch::create_by_parity(
-               end, end->workgroups_of(count), [&](std::size_t p) -> gpu::Dispatch::Bindings {
-                 return {state.steps, state.position[p], state.position[1 - p], *inputs.predicted()[p], aim_};
-               }));
+  WEFT_SET(begin_holds_, create_begin_holds(inputs, aim_, way_of));
+  WEFT_SET(pieces_, PieceMotion::create_of_ways(inputs, aim_));
+  WEFT_SET(end_way_, create_end_held_way(inputs, aim_, true));
   return {};
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "element/spring/neighbours.hpp"
@@ -39,7 +38,6 @@ class SolverVbd : public Solver {
     std::vector<gpu::Buffer<NodesOfColor>> colors;
   };
   Result<void> create_nodes(const SolverInputs& inputs);
-  Result<void> create_holds(const SolverInputs& inputs);
   Result<void> create_springs(const SolverInputs& inputs, const Body& body);
 
   std::vector<Cloth> cloths_;  // of springs
@@ -51,9 +49,8 @@ class SolverVbd : public Solver {
   gpu::Buffer<std::uint32_t> corners_;  // src/method/corners.wgsl; without air one number, which is not read
 
   // While nodes descend, position[1 - parity] holds ways from position[parity], not places.
-  gpu::Dispatch start_way_, end_way_;
-  std::optional<gpu::Dispatch> begin_holds_;  // where it answers obstacles
-  std::vector<gpu::Dispatch> sweep_;          // a dispatch a colour of each cloth of springs
+  gpu::Dispatch start_way_, begin_holds_, end_way_;
+  std::vector<gpu::Dispatch> sweep_;  // a dispatch a colour of each cloth of springs
   std::uint32_t iterations_ = 1;
 };
 

@@ -24,8 +24,9 @@ double margin_of(double distance, double thickness) {
 
 Proximity::Proximity(const scene::Scene& scene, const Model& model,
                      std::span<const mesh::TriangleMesh> objects,
-                     std::span<const mesh::Deformation> deformations, double step, bool own_pairs)
-    : own_pairs_(own_pairs),
+                     std::span<const mesh::Deformation> deformations, double step,
+                     const SolvedContact& solved)
+    : solved_(solved),
       thickness_(scene.contact.thickness),
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
@@ -342,7 +343,7 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
     if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)
       pressed_.push_back({pairs[p], one});
   }
-  return presses_of(near, position, velocity, dt, own_pairs_);
+  return presses_of(near, position, velocity, dt, solved_.own_pairs);
 }
 
 bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) const {
@@ -354,7 +355,7 @@ bool Proximity::is_held(const NearPair& pair, const std::vector<bool>& held) con
     any = any || held[pair.nodes[k]];
     all = all && held[pair.nodes[k]];
   }
-  return any && (all || !own_pairs_);
+  return any && (all || !solved_.own_pairs);
 }
 
 std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
@@ -403,10 +404,11 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (std::size_t i = 0; i < nodes.position.size(); ++i) {
     if (nodes.inverse_mass[i] == 0) continue;
     nodes.velocity[i] += response.change[i];
-    // After an implicit solve springs are in balance: an impulse changes the velocity alone, and the next substep moves
-    // the node with its neighbours. What an obstacle strikes would be in it by then, and cloth that other cloth bears
-    // has no other hold: these go along.
-    const bool moves = nodes.held.empty() || own_pairs_ || response.beside_cloth[i] || response.struck[i];
+    // After an implicit solve of obstacles and pairs springs are in balance: an impulse changes the velocity alone, and
+    // the next substep moves the node with its neighbours. What an obstacle strikes would be in it by then, and cloth
+    // that other cloth bears has no other hold: these go along.
+    const bool moves =
+        nodes.held.empty() || !solved_.balances || response.beside_cloth[i] || response.struck[i];
     nodes.position[i] += (moves ? dt : 0) * response.change[i] + response.push[i];
   }
   std::vector<SolidPlane> planes;

@@ -14,6 +14,7 @@
 #include "contact/reference/proximity/truncate.hpp"
 #include "contact/reference/proximity/untangle.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/solved_contact.hpp"
 #include "contact/rules/yielding_edges.hpp"
 #include "model/model.hpp"
 
@@ -22,9 +23,9 @@ namespace weft::reference {
 class Proximity {
  public:
   /// `objects` and `deformations` as for Obstacles; `step`: the length of a substep, where frames are not cut [s];
-  /// `own_pairs`: SolvedContact's.
+  /// `solved`: what the method answers itself.
   Proximity(const scene::Scene& scene, const Model& model, std::span<const mesh::TriangleMesh> objects,
-            std::span<const mesh::Deformation> deformations, double step, bool own_pairs = false);
+            std::span<const mesh::Deformation> deformations, double step, const SolvedContact& solved = {});
 
   /// The state of the nodes in a substep: the solver's prediction from `previous`, and moved nodes
   /// where their motions end. All finite.
@@ -91,7 +92,7 @@ class Proximity {
   Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
   /// Of a pair of cloth with itself [m].
-  bool own_pairs_;
+  SolvedContact solved_;
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
   /// A pair and its force [N].
   struct Kept {

@@ -57,9 +57,15 @@ void ProjectionStepper::keep_tethers(Ways& ways) const {
   }
 }
 
+void ProjectionStepper::project_holds(Ways& ways) {
+  for (std::size_t node = 0; node < ways.way.size(); ++node)
+    if (holds_[node] && ways.inverse_mass[node] > 0) ways.way[node] = holds_[node]->project(ways.way[node]);
+}
+
 void ProjectionStepper::advance(const Substep& substep) {
   const auto& [system, places, dt, ratio, pressed] = substep;
   yield(system);
+  holds_.take(substep);
   Ways ways = Ways::begin(substep);
   const Colors& colors = model_.colors(ElementKind::Spring);
   std::vector<double> multipliers(system.springs.size(), 0.0);
@@ -74,8 +80,10 @@ void ProjectionStepper::advance(const Substep& substep) {
     for (std::size_t body = 0; body < solids_.size(); ++body)
       solids_[body].sweep(ways, system.solids[body], dt);
     keep_tethers(ways);
+    project_holds(ways);
   }
   ways.end(substep);
+  holds_.end(substep, ways.way);
 }
 
 }  // namespace weft::reference

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "method/holds/reference/node_hold.hpp"
 #include "method/projection/reference/fabric_projection.hpp"
 #include "method/projection/reference/solid_projection.hpp"
 #include "method/reference_ways.hpp"
@@ -16,10 +17,12 @@ class ProjectionStepper : public Stepper {
  public:
   ProjectionStepper(const Model& model, std::uint32_t iterations, Multipliers multipliers);
   void advance(const Substep& substep) override;
+  std::vector<bool> held() const override { return holds_.held(); }
 
  private:
   double lengthening(const Ways& ways, std::uint32_t first, std::uint32_t end) const;
   void keep_tethers(Ways& ways) const;
+  void project_holds(Ways& ways);
 
   const Model& model_;
   std::uint32_t iterations_;
@@ -27,6 +30,7 @@ class ProjectionStepper : public Stepper {
   TetherRows tethers_;
   std::vector<FabricProjection> fabrics_;  // of the bodies that have it
   std::vector<SolidProjection> solids_;    // likewise
+  NodeHolds holds_;
 };
 
 }  // namespace weft::reference

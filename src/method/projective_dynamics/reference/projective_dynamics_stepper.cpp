@@ -90,12 +90,15 @@ ProjectiveDynamicsStepper::ProjectiveDynamicsStepper(const Model& model, double 
 void ProjectiveDynamicsStepper::advance(const Substep& substep) {
   const double dt = substep.dt;
   std::vector<Vec3d> aim;
-  Ways ways = look_back_.begin(substep, aim);
+  Ways ways = holds_.begin(substep, look_back_, aim);
   std::vector<Vec3d> left(aim.size()), change(aim.size());
   const auto relax = [&](std::size_t node, double weight) {
-    change[node] =
-        weight * relaxation_.gain(rates_of_[node].at(dt)) * left[node] + (weight - 1) * change[node];
-    ways.way[node] += change[node];
+    const Vec3d before = ways.way[node];
+    const Vec3d free =
+        before + weight * relaxation_.gain(rates_of_[node].at(dt)) * left[node] + (weight - 1) * change[node];
+    const bool may_hold = holds_[node] && ways.inverse_mass[node] > 0;
+    ways.way[node] = may_hold ? holds_[node]->descend({free, Sym3::identity(1)}) : free;
+    change[node] = ways.way[node] - before;
   };
   for (const std::vector<double>& weights : relaxation_.cycles) {
     const std::vector<Vec3d> force = pulls(substep.system, ways, dt);
@@ -114,8 +117,9 @@ void ProjectiveDynamicsStepper::advance(const Substep& substep) {
     }
   }
   keep_momentum(
-      pieces_, aim, [](std::uint32_t) { return true; }, ways);
+      pieces_, aim, [&](std::uint32_t node) { return !holds_.bears(node); }, ways);
   ways.end(substep);
+  holds_.end(substep, ways.way);
 }
 
 }  // namespace weft::reference

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "method/holds/reference/node_hold.hpp"
 #include "method/pieces/free_pieces.hpp"
 #include "method/projective_dynamics/node_pairs.hpp"
 #include "method/projective_dynamics/reference/solid_relaxation.hpp"
@@ -15,6 +16,7 @@ class ProjectiveDynamicsStepper : public Stepper {
   void advance(const Substep& substep) override;
   void forget() override { look_back_.forget(); }
   void forget(std::size_t node) override { look_back_.forget(node); }
+  std::vector<bool> held() const override { return holds_.held(); }
 
  private:
   /// A cloth of fabric.
@@ -34,6 +36,7 @@ class ProjectiveDynamicsStepper : public Stepper {
   Relaxation relaxation_;
   FreePieces pieces_;
   LookBack look_back_;
+  NodeHolds holds_;
 };
 
 }  // namespace weft::reference

@@ -74,46 +74,13 @@ void VbdStepper::sweep(const Substep& substep, const std::vector<Vec3d>& aim, Wa
 
 void VbdStepper::advance(const Substep& substep) {
   yield(substep.system);
-  hold_nodes(substep);
-  const std::vector<Vec3d> velocity = substep.system.velocity, velocity_before = look_back_.velocity_before();
-  const std::vector<bool> known = look_back_.known();
   std::vector<Vec3d> aim;
-  Ways ways = look_back_.begin(substep, aim);
-  for (std::size_t node = 0; node < aim.size(); ++node) {
-    if (!holds_[node] || ways.inverse_mass[node] == 0) continue;
-    const Vec3d alone = holds_[node]->descend({aim[node], Sym3::identity(1)});
-    if (!holds_[node]->bears()) continue;
-    const Vec3d going_on = substep.dt * velocity[node], change = alone - going_on;
-    const Vec3d felt = substep.dt * substep.ratio * (velocity[node] - velocity_before[node]);
-    const bool is_pulled = bore_[node] && known[node] && dot(felt, change) < 0;
-    ways.way[node] = is_pulled ? going_on + no_longer(felt, length(change)) : alone;
-  }
+  Ways ways = holds_.begin(substep, look_back_, aim);
   for (std::uint32_t k = 0; k < iterations_; ++k) sweep(substep, aim, ways);
   keep_momentum(
-      pieces_, aim, [&](std::uint32_t node) { return !(holds_[node] && holds_[node]->bears()); }, ways);
+      pieces_, aim, [&](std::uint32_t node) { return !holds_.bears(node); }, ways);
   ways.end(substep);
-  for (std::size_t node = 0; node < holds_.size(); ++node)
-    if (holds_[node]) substep.system.velocity[node] = holds_[node]->moved(ways.way[node]) / substep.dt;
-}
-
-void VbdStepper::hold_nodes(const Substep& substep) {
-  const std::vector<Vec3d>& velocity = substep.system.velocity;
-  bore_ = held();
-  bore_.resize(velocity.size());
-  holds_.assign(velocity.size(), {});
-  answers_ = static_cast<bool>(substep.pressed);
-  if (!answers_) return;
-  const std::vector<Press> presses = substep.pressed(velocity).presses;
-  for (std::size_t node = 0; node < holds_.size(); ++node)
-    if (substep.system.inverse_mass[node] > 0)
-      holds_[node] = NodeHold::of(presses[node], substep.dt * velocity[node], substep.dt);
-}
-
-std::vector<bool> VbdStepper::held() const {
-  if (!answers_) return {};
-  std::vector<bool> held;
-  for (const std::optional<NodeHold>& hold : holds_) held.push_back(hold && hold->bears() && hold->alike());
-  return held;
+  holds_.end(substep, ways.way);
 }
 
 }  // namespace weft::reference

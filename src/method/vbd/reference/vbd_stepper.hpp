@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "element/incidence.hpp"
+#include "method/holds/reference/node_hold.hpp"
 #include "method/pieces/free_pieces.hpp"
 #include "method/reference_ways.hpp"
 #include "method/vbd/node_colors.hpp"
 #include "method/vbd/reference/fabric_descent.hpp"
-#include "method/vbd/reference/node_hold.hpp"
 #include "method/vbd/reference/solid_descent.hpp"
 
 namespace weft::reference {
@@ -19,7 +19,7 @@ class VbdStepper : public Stepper {
   void advance(const Substep& substep) override;
   void forget() override { look_back_.forget(); }
   void forget(std::size_t node) override { look_back_.forget(node); }
-  std::vector<bool> held() const override;
+  std::vector<bool> held() const override { return holds_.held(); }
 
  private:
   /// A body's nodes in the order of a sweep, and where it has no springs, what they descend by.
@@ -28,8 +28,6 @@ class VbdStepper : public Stepper {
     std::optional<FabricDescent> fabric;
     std::optional<SolidDescent> solid;
   };
-  /// Of the nodes that obstacles press in the substep.
-  void hold_nodes(const Substep& substep);
   void sweep(const Substep& substep, const std::vector<Vec3d>& aim, Ways& ways);
 
   std::uint32_t iterations_;
@@ -37,9 +35,7 @@ class VbdStepper : public Stepper {
   mesh::Adjacency springs_of_;  // node -> its springs
   FreePieces pieces_;
   LookBack look_back_;
-  std::vector<std::optional<NodeHold>> holds_;
-  std::vector<bool> bore_;  // held() of the substep before
-  bool answers_ = false;    // contact with obstacles, in the last substep
+  NodeHolds holds_;
 };
 
 }  // namespace weft::reference

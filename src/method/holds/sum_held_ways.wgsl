@@ -1,8 +1,8 @@
 // The sums of pieces' nodes in parts of kPieceChunk, where obstacles may bear nodes in the sweeps. One invocation per
 // node of a chunk. Source: docs/momentum.md, equation 2.
 #include "gpu/index.wgsl"
+#include "method/holds/node_holds.wgsl"
 #include "method/pieces/way_sums.wgsl"
-#include "method/vbd/node_holds.wgsl"
 //                                                                              elements            unit
 @group(0) @binding(0) var<uniform>             step        : StepBlock;
 @group(0) @binding(1) var<storage, read>       lists       : array<u32>;        // chunks.wgsl
