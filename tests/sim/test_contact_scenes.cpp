@@ -112,6 +112,10 @@ TEST_CASE("long: a sheet is wrung into a rope and passes nowhere through itself"
 TEST_CASE("long: what is pressed in the middle of a rope of finer cloth passes nowhere through itself") {
   check_once("twist", 132, {}, 64);
 }
+TEST_CASE("long: by sweeps: a sheet is wrung into a rope and passes nowhere through itself") {
+  check_once("twist", 125,
+             {scene::override_solver("pbd"), {"solver.iterations", "4"}, {"time.substeps", "32"}}, 48);
+}
 TEST_CASE("sheets drop on each other and pass through nothing") {
   check_once("stack", 12, {{"cloths.0.copies.count", "3"}});
 }

@@ -6,8 +6,7 @@ std::vector<Round> separation_rounds(std::size_t count) {
   std::vector<Round> rounds;
   for (std::size_t round = 0; round < count; ++round) {
     const auto number = static_cast<std::uint32_t>(kMostSeparations + 1 + round - count);
-    const bool first = round == 0;
-    rounds.push_back({.number = number, .is_first = first ? 1U : 0U, .since = first ? 0 : number - 1});
+    rounds.push_back({.number = number, .since = round == 0 ? 0 : number - 1});
   }
   return rounds;
 }
@@ -30,11 +29,9 @@ std::vector<Round> shortening_rounds() {
   std::vector<Round> rounds;
   for (std::size_t round = 0; round < kShortenings; ++round) {
     const auto number = static_cast<std::uint32_t>(kMostSeparations + 2 + round);
-    const bool first = round == 0;
     rounds.push_back({.number = number,
-                      .is_first = first ? 1U : 0U,
                       .is_last = round + 1 == kShortenings ? 1U : 0U,
-                      .since = first ? 0 : number - 1});
+                      .since = round == 0 ? 0 : number - 1});
   }
   return rounds;
 }

@@ -4,7 +4,7 @@
 #include "state/statistics.wgsl"
 struct Round {
   number : u32,
-  is_first : u32,  // 1: of those that separate, of those that hold back, or of those that shorten ways for edges
+  is_first : u32,  // 1: of those that hold back
   is_last : u32,   // 1: of those that hold back, or of those that shorten ways for edges
   since : u32,     // it asks only if that round or one after it had something to do; 0: always
 }

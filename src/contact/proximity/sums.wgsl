@@ -1,4 +1,5 @@
 // What pairs give their vertices, as sums of integers. The including kernel declares `vertex_contacts` as atomics.
+#include "contact/proximity/friction.wgsl"
 #include "state/contact.wgsl"
 
 // The part of a vertex's mass that a pair has, in kShareUnits of the sum that it is a part of: equation (2).
@@ -24,13 +25,8 @@ fn move_by(vertex : u32, by : f32, by_speed : f32, n : vec3f) {
   add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, by_speed * n);
 }
 
-fn no_longer(v : vec3f, most : f32) -> vec3f {
-  let size = length(v);
-  return select(1.0, most / size, size > most) * v;
-}
-
 // The part of an impulse or a force that the cone of friction about n allows.
 fn within_cone(whole : vec3f, n : vec3f, friction : f32) -> vec3f {
   let normal = max(0.0, dot(n, whole));
-  return normal * n + no_longer(whole - dot(n, whole) * n, friction * normal);
+  return normal * n + no_longer(part_across(whole, n), friction * normal);
 }

@@ -69,7 +69,7 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   let moved = way - surface.xyz - surface.w * n;  // over the surface, m
   let freed = no_longer(step.time.dt * now.w * more, kMostFreed / step.time.dt * length(moved));
   // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
-  let stopped = select(vec3f(0.0), step.time.dt * across(freed, n), kept.under_cloth);
+  let stopped = select(vec3f(0.0), step.time.dt * part_across(freed, n), kept.under_cloth);
   position_out[node] = vec4f(now.xyz + way + stopped, now.w);
   velocity_out[node] = vec4f((way - surface.w * n) / step.time.dt + freed, select(-2.0, -1.0, force.z > 0.0));
 }

@@ -1,5 +1,6 @@
 // The force that holds a node at obstacles: how it is kept, and what friction adds to it. The including kernel binds
 // `presses`, and has a StepBlock `step`. Source: docs/solvers/multigrid.md, equation 11.
+#include "contact/proximity/friction.wgsl"
 #include "contact/proximity/press_sums.wgsl"
 #include "method/multigrid/hold.wgsl"
 
@@ -18,12 +19,6 @@ fn keep_hold_force(vertex : u32, force : HoldForce) {
   for (var k = 0u; k < kHoldWords; k++) { presses[kHoldWords * vertex + k] = words[k]; }
 }
 
-fn across(v : vec3f, n : vec3f) -> vec3f { return v - dot(v, n) * n; }
-fn no_longer(v : vec3f, most : f32) -> vec3f {
-  let size = length(v);
-  return select(1.0, most / size, size > most) * v;
-}
-
 // What friction of a hold depends on.
 struct Grip {
   n : vec3f,
@@ -33,10 +28,10 @@ struct Grip {
   friction : f32,
 }
 fn turned(along : vec3f, n : vec3f) -> vec3f {
-  let flat = across(along, n);
+  let flat = part_across(along, n);
   let size = length(flat);
   return select(vec3f(0.0), length(along) / size * flat, size > 0.0);
 }
 fn reach_of(grip : Grip, way : vec3f) -> vec3f {
-  return grip.kept - grip.stiffness * across(way - grip.surface_way, grip.n);
+  return grip.kept - grip.stiffness * part_across(way - grip.surface_way, grip.n);
 }

@@ -37,15 +37,15 @@ fn pair_end(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let borne = max(0.0, pressed - soft * restored);
     let way = hold.start.xyz + solution;
     let reached = reach_of(hold, soft, way);
-    let along = cut(reached, hold.force.w * borne);
-    let slid = cut(reach_of(hold, soft, hold.start.xyz), hold.force.w * hold.force.x);
+    let along = no_longer(reached, hold.force.w * borne);
+    let slid = no_longer(reach_of(hold, soft, hold.start.xyz), hold.force.w * hold.force.x);
     let more = along - select(slid, reached, hold.along.w > 0.0) + max(0.0, -pressed) * n;
     let moved = way - restored * n;
-    let change = cut(dt * hold.place.z * more, kMostFreed / dt * length(moved)) - restored / dt * n;
+    let change = no_longer(dt * hold.place.z * more, kMostFreed / dt * length(moved)) - restored / dt * n;
     // What the spring stops alone of two sides that nothing else holds: a blow, and it is over.
     let alone = hold.normal.w * soft / (hold.normal.w + soft);
     let kept = max(0.0, borne - alone * max(0.0, hold.start.w));
-    contacts[number].force = vec4f(kept * n + cut(along, hold.force.w * kept), 0.0);
+    contacts[number].force = vec4f(kept * n + no_longer(along, hold.force.w * kept), 0.0);
     contacts[number].held = select(0u, kSolved, borne > 0.0);
     for (var role = 0u; role < 4u; role++) {
       let vertex = hold.ids[role] & kIdBits;

@@ -50,7 +50,7 @@ fn completed(given : PairHold) -> PairHold {
   }
   let kept = hold.along.xyz;
   let normal = max(0.0, dot(n, kept));
-  let along = select(vec3f(0.0), cut(across(kept, n), hold.force.w * normal), normal > 0.0);
+  let along = select(vec3f(0.0), no_longer(part_across(kept, n), hold.force.w * normal), normal > 0.0);
   let missing = hold.place.w;
   let room = min(missing, kHoldPart * missing);
   let gap = max(room, 0.0);
@@ -89,7 +89,7 @@ fn pair_force(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups
     let tried = reach_of(hold, hold.along.w, hold.start.xyz);
     let most = hold.force.w * hold.force.x;
     let sticks = length(tried) <= most;
-    let force = (hold.force.x + hold.normal.w * hold.force.y) * hold.normal.xyz + cut(tried, most);
+    let force = (hold.force.x + hold.normal.w * hold.force.y) * hold.normal.xyz + no_longer(tried, most);
     if (!sticks) { hold.along.w = 0.0; }
     pair_holds[number] = hold;
     let w = weights_of(hold.ids, hold.place.x, hold.place.y);

@@ -35,7 +35,7 @@ fn pair_product(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
       way += select(0.0, w[role], inertia[role] > 0.0) * operand(state, among_all(hold, role));
     }
     let n = hold.normal.xyz;
-    let force = hold.normal.w * dot(n, way) * n + hold.along.w * across(way, n);
+    let force = hold.normal.w * dot(n, way) * n + hold.along.w * part_across(way, n);
     for (var role = 0u; role < 4u; role++) {
       if (inertia[role] > 0.0) { add_pair_sum(hold.ids[role] & kIdBits, (w[role] / inertia[role]) * force); }
     }

@@ -1,5 +1,6 @@
 // The pairs of a cycle's cloths that its matrix holds apart. The including kernel binds `nodes`, `pair_holds` and
 // `statistics`.
+#include "contact/proximity/friction.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "state/pair_holds.wgsl"
 #include "state/statistics.wgsl"
@@ -20,12 +21,7 @@ fn vector_of(vector : u32, all : u32) -> u32 {
   return cloth * nodes.vectors + vector * nodes.count + (all - cloth * nodes.count);
 }
 
-fn across(v : vec3f, n : vec3f) -> vec3f { return v - dot(v, n) * n; }
-fn cut(v : vec3f, most : f32) -> vec3f {
-  let size = length(v);
-  return select(1.0, most / size, size > most) * v;
-}
 // τ - k_t s, of a relative way, N.
 fn reach_of(hold : PairHold, slip : f32, way : vec3f) -> vec3f {
-  return hold.along.xyz - slip * across(way, hold.normal.xyz);
+  return hold.along.xyz - slip * part_across(way, hold.normal.xyz);
 }

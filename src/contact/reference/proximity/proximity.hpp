@@ -91,8 +91,8 @@ class Proximity {
   Sides sides_of(const FeaturePair& pair) const;
   Surface surface_of(const FeaturePair& pair, const Sides& sides, const Vec3d& toward_cloth, double dt) const;
   double friction_of(const FeaturePair& pair, const Sides& sides) const;
-  /// Of a pair of cloth with itself [m].
   SolvedContact solved_;
+  /// Of a pair of cloth with itself [m].
   double thickness_of(const FeaturePair& pair, const Sides& sides) const;
   /// A pair and its force [N].
   struct Kept {

@@ -137,7 +137,6 @@ class Truncation {
     for (std::size_t node = 0; node < held_.size(); ++node) {
       if (ways_.inverse_mass[node] == 0) continue;
       ways_.end[node] = ways_.start[node] + part_ * (ways_.end[node] - ways_.start[node]);
-      lost_[node] *= part_;
       ways_.velocity[node] =
           ways_.velocity_before[node] + part_ * (ways_.velocity[node] - ways_.velocity_before[node]);
     }
