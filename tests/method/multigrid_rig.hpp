@@ -53,7 +53,7 @@ class ImplicitRig {
     }
     const auto kernels = [&] {
       if constexpr (kIsMesh)
-        return Kernels::create(inputs, elements_in(model_.host.bodies[0]));
+        return Kernels::create(inputs, multigrid::kind_of(model_.host.bodies[0]));
       else
         return Kernels::create(inputs);
     }();

@@ -119,7 +119,8 @@ TEST_CASE("the matrices of coarse levels equal the reference's") {
       rig.cycle().record_matrices(pass);
     });
     const reference::LinearStep step = rig.linearise();
-    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom(),
+                                         rig.cycle().finest());
     REQUIRE(hierarchy.levels().size() == rig.cycle().shapes().size());
     for (std::size_t l = 1; l < hierarchy.levels().size(); ++l) {
       CAPTURE(l);
@@ -156,15 +157,16 @@ TEST_CASE("smoothing, restriction and the cycle of the coarsest levels equal the
       rig.cycle().record_down(pass);
     });
     const reference::LinearStep step = rig.linearise();
-    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom(),
+                                         rig.cycle().finest());
     const std::size_t tail = rig.cycle().tail();
     for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
       CAPTURE(l);
       const GridOperator& matrix = hierarchy.levels()[l];
       const Field r = field(rig.vector(l, kResidual));
       Field x(r.size());
-      reference::smooth(matrix, matrix.inverse_diagonal(), r, x, reference::kSmoothLow,
-                        reference::kSmoothDegree);
+      reference::smooth(matrix, matrix.inverse_diagonal(), r, x,
+                        l == 0 ? rig.cycle().finest() : multigrid::Smoothing{});
       const Field smoothed = field(rig.vector(l, l == 0 ? kFirst : kSecond));
       CHECK(difference(smoothed, x) < 1e-3);
       Field left = matrix.apply(smoothed);
@@ -225,7 +227,8 @@ TEST_CASE("what obstacles hold is in the matrix, and a pressed node begins anew,
       rig.cycle().record_matrices(pass);
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
-    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom());
+    const reference::Hierarchy hierarchy(step.matrix, step.source, rig.cycle().bottom(),
+                                         rig.cycle().finest());
     GridOperator coarse = hierarchy.levels()[1];
     const Field x = random_field(coarse.size(), 3);
     coarse.bending = {};

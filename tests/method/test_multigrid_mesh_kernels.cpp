@@ -123,7 +123,7 @@ TEST_CASE("a mesh's residual, matrices and diagonals equal the reference's") {
     });
     const reference::MeshStep expected = rig.linearise();
     CHECK(difference(field(rig.vector(0, kResidual)), expected.residual) < 2e-5);
-    const reference::MeshHierarchy hierarchy(expected.matrix, rig.cycle().bottom());
+    const reference::MeshHierarchy hierarchy(expected.matrix, rig.cycle().bottom(), rig.cycle().finest());
     REQUIRE(hierarchy.levels().size() == rig.cycle().shapes().size());
     for (std::size_t l = 0; l < hierarchy.levels().size(); ++l) {
       CAPTURE(l);
@@ -152,7 +152,7 @@ TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equa
       rig.cycle().record_down(pass);
     });
     const reference::MeshStep step = rig.linearise();
-    const reference::MeshHierarchy hierarchy(step.matrix, rig.cycle().bottom());
+    const reference::MeshHierarchy hierarchy(step.matrix, rig.cycle().bottom(), rig.cycle().finest());
     const std::size_t tail = rig.cycle().tail();
     REQUIRE(tail + levels <= hierarchy.levels().size());
     for (std::size_t l = 0; l < tail; ++l) {  // each from the task that the kernels gave it
@@ -160,8 +160,8 @@ TEST_CASE("smoothing, restriction and the cycle of a mesh's coarsest levels equa
       const MeshOperator& matrix = hierarchy.levels()[l];
       const Field r = field(rig.vector(l, kResidual));
       Field x(r.size());
-      reference::smooth(matrix, matrix.inverse_diagonal(), r, x, reference::kSmoothLow,
-                        reference::kSmoothDegree);
+      reference::smooth(matrix, matrix.inverse_diagonal(), r, x,
+                        l == 0 ? rig.cycle().finest() : multigrid::Smoothing{});
       CHECK(difference(field(rig.vector(l, kFirst)), x) < 1e-3);
       const Field left = residual(matrix, r, field(rig.vector(l, kFirst)));
       CHECK(difference(field(rig.vector(l + 1, kResidual)), restricted(left, matrix)) < 1e-3);
@@ -201,7 +201,7 @@ TEST_CASE("what obstacles hold is in a mesh's matrix, and a pressed node begins 
       rig.cycle().record_matrices(pass);
     });
     CHECK(difference(field(rig.vector(0, kResidual)), step.residual) < 2e-5);
-    const reference::MeshHierarchy hierarchy(step.matrix, rig.cycle().bottom());
+    const reference::MeshHierarchy hierarchy(step.matrix, rig.cycle().bottom(), rig.cycle().finest());
     for (const std::size_t l : {0U, 1U}) check_blocks(rig, hierarchy, l);
     const std::vector<std::int32_t> left = rig.download(rig.press_sums());
     CHECK(std::all_of(left.begin() + kHoldWords * rig.model().vertex_count(), left.end(),

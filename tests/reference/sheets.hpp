@@ -48,6 +48,10 @@ struct Sheet {
     const std::vector<MeshLevel> levels = mesh_levels(model, body, model.springs(body));
     return multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, dt), multigrid::kMeshTail);
   }
+  /// How their finest level smooths.
+  multigrid::Smoothing finest(double dt = 1.0 / 480) const {
+    return multigrid::finest_smoothing(model, multigrid::kind_of(model.bodies[0]), dt);
+  }
   void advance(double dt, int steps) {
     for (int s = 0; s < steps; ++s) stepper.advance({system, system.position, dt});
   }

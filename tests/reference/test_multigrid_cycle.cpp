@@ -327,8 +327,10 @@ TEST_CASE(
     sheet.stepper.advance({sheet.system, sheet.system.position, 1.0 / 480});
     const LinearStep step = sheet.linearise();
     const Bottom bottom = sheet.bottom();
-    const Convergence found = converge(Hierarchy(step.matrix, step.source), step.residual),
-                      ended = converge(Hierarchy(step.matrix, step.source, bottom), step.residual);
+    const Convergence found =
+                          converge(Hierarchy(step.matrix, step.source, {}, sheet.finest()), step.residual),
+                      ended = converge(Hierarchy(step.matrix, step.source, bottom, sheet.finest()),
+                                       step.residual);
     MESSAGE(c.nx << " x " << c.ny << ", wrinkles " << c.wrinkles << " m: " << found.mean
                  << " a cycle, at worst " << found.worst << ", at last " << found.last << "; to level "
                  << bottom.level << ", " << bottom.sweeps << " sweeps: " << ended.mean);
@@ -368,7 +370,8 @@ TEST_CASE(
       step.source.rows[a][0] += hold;
     }
     for (const Bottom& bottom : {Bottom{}, sheet.bottom()}) {
-      const Convergence found = converge(Hierarchy(step.matrix, step.source, bottom), step.residual);
+      const Convergence found =
+          converge(Hierarchy(step.matrix, step.source, bottom, sheet.finest()), step.residual);
       MESSAGE(std::string(obstacles ? "obstacles: " : "shear: ")
               << found.mean << " a cycle, at worst " << found.worst << ", at last " << found.last);
       CHECK(found.mean < (obstacles ? 0.9 : 0.75));
@@ -419,7 +422,7 @@ TEST_CASE(
         for (Vec3d& v : x) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         const Field task = level.apply(x);
         Field found(x.size());
-        smooth(level, inverse, task, found, bottom.low, bottom.sweeps);
+        smooth(level, inverse, task, found, {bottom.sweeps, bottom.low, kSmoothHigh});
         for (std::size_t k = 0; k < x.size(); ++k) found[k] -= x[k];
         const Field left = level.apply(found);
         double before = 0, after = 0;

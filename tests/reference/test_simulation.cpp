@@ -15,7 +15,7 @@ TEST_CASE("six scenes have the bits that every machine must have") {
   };
   for (const Golden& golden : {Golden{"hanging", "[16,16]", 5, "1a811593b3634d9e"},
                                {"pull-sphere", "[16,16]", 12, "ab35bb2000e9b984", "\"bvh\""},
-                               {"sheet", "[16,16]", 5, "64ab63a0ab6bbc0b"},
+                               {"sheet", "[16,16]", 5, "6901d79edb53ce88"},
                                {"breeze", "[24,16]", 10, "453b402d469758d2"},
                                {"drag", "[16,16]", 40, "4c7d1a904baab260"},
                                {"pull-sphere", "[16,16]", 12, "c73a03dc3c1a71b1", "\"proximity\""}}) {

@@ -101,6 +101,33 @@ TEST_CASE("what friction does not hold slides with g (sin - friction cos)") {
   }
 }
 
+TEST_CASE(
+    "a sheet slides down a slope by g (sin - μ cos), however stiff and light it is, by implicit steps") {
+  GpuFixture fixture;
+  constexpr double kSlope = 25 * 3.14159265358979 / 180, kFriction = 0.2;
+  const double down = kGravity * std::sin(kSlope), into = kGravity * std::cos(kSlope);
+  for (const auto& [density, stiffness] :
+       {std::pair{1e-4, 2e4}, {3e-4, 2e4}, {1e-3, 2e4}, {0.2, 5e4}, {1e-4, 500.0}}) {
+    const std::string k = text_of(stiffness);
+    auto world = world_of(
+        fixture.device(),
+        contact_scene(R"("gravity": [)" + text_of(down) + ", " + text_of(-into) +
+                      R"(, 0], "solver": {"kind": "multigrid"}, "time": {"substeps": "auto"},
+        "contact": {"method": "proximity", "thickness": 0.005}, "cloths": [{"grid": [14, 14],
+        "size": [0.3, 0.3], "plane": "xz", "transform": {"translate": [0, 0.005, 0]}, "density": )" +
+                      text_of(density) + R"(, "damping": 0.1, "stiffness": {"structural": )" + k +
+                      R"(, "shear": )" + text_of(stiffness / 4) + R"(, "bend": )" + text_of(stiffness / 40) +
+                      R"(}}], "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0],
+        "friction": 0.2}])"));
+    const Moment start(*world);
+    advance(*world, 20);
+    const double way = Moment(*world).mean_position().x - start.mean_position().x;
+    const double exact = (down - kFriction * into) / 2 / 9;  // after a third of a second
+    MESSAGE(density, " kg/m², ", stiffness, " N/m: ", way / exact, " of its way");
+    CHECK(way == doctest::Approx(exact).epsilon(0.02).scale(0));
+  }
+}
+
 TEST_CASE("a sheet that lands on a floor that moves gains of its speed what friction takes of the blow") {
   GpuFixture fixture;
   struct Landing {

@@ -9,16 +9,11 @@
 #include <vector>
 
 #include "method/multigrid/mesh_levels.hpp"
+#include "method/multigrid/smoothing.hpp"
 #include "model/model.hpp"
 
 namespace weft::multigrid {
 
-/// The eigenvalues of D⁻¹ A that smoothing is for: the upper end is above all of them, 2 for springs and 8/3 for
-/// bending inside. Mirror: src/method/multigrid/chebyshev.wgsl.
-inline constexpr double kSmoothHigh = 2.9, kSmoothLow = kSmoothHigh / 8;
-/// Of fabric and of tetrahedra no eigenvalue exceeds 4, the nodes of a hinge or a tetrahedron: with this part of the
-/// inverse of its diagonal they are as those of springs.
-inline constexpr double kElementDiagonalPart = kSmoothHigh / 4;
 /// At the coarsest level: the lower end where nothing better is known, and the sweeps for that.
 inline constexpr double kBottomLow = kSmoothHigh / 30;
 inline constexpr std::uint32_t kBottomSweeps = 10;

@@ -118,20 +118,14 @@ void Cycle::record_step(gpu::ComputePass& pass, const Dispatch& norm) const {
 }
 
 void Cycle::record_down(gpu::ComputePass& pass) const {
-  for (std::size_t l = 0; l < tail_; ++l) {
-    levels_[l].smooth_down.record(pass);
-    levels_[l].residual.record(pass);
-    levels_[l].restrict_down.record(pass);
-  }
+  for (std::size_t l = 0; l < tail_; ++l)
+    for (const Dispatch& stage : levels_[l].down) stage.record(pass);
   tail_cycle_.record(pass);
 }
 
 void Cycle::record_up(gpu::ComputePass& pass) const {
-  for (std::size_t l = tail_; l-- > 0;) {
-    levels_[l].correct.record(pass);
-    levels_[l].smooth_begin.record(pass);
-    levels_[l].smooth_up.record(pass);
-  }
+  for (std::size_t l = tail_; l-- > 0;)
+    for (const Dispatch& stage : levels_[l].up) stage.record(pass);
 }
 
 Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels& kernels) {

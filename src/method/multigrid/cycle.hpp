@@ -126,17 +126,23 @@ class Cycle {
   /// The first of the levels whose cycle one workgroup does, and the last.
   std::size_t tail() const { return tail_; }
   const multigrid::Bottom& bottom() const { return bottom_; }
+  const multigrid::Smoothing& finest() const { return finest_; }
 
  protected:
-  /// A level with the next coarser one. A stage that another dispatch does too is empty; those of the tail
-  /// have `coarsen` alone.
+  /// A level with the next coarser one. Those of the tail have `coarsen` alone.
   struct Level {
-    gpu::RawBuffer levels;                               // both, a uniform
-    gpu::Dispatch coarsen;                               // the coarser level's matrix
-    gpu::Dispatch smooth_down, residual, restrict_down;  // down: x = 0 smoothed, r - A x, its Pᵀ
-    gpu::Dispatch correct, smooth_begin, smooth_up;      // up: x + P e, smoothed in two sweeps
+    gpu::RawBuffer levels;            // both, a uniform
+    gpu::Dispatch coarsen;            // the coarser level's matrix
+    std::vector<gpu::Dispatch> down;  // x = 0 smoothed, whose first sweep is done; r - A x, its Pᵀ
+    std::vector<gpu::Dispatch> up;    // x + P e, smoothed
   };
 
+  /// Appends what was created.
+  static Result<void> add_stage(std::vector<gpu::Dispatch>& stages, Result<gpu::Dispatch> made) {
+    if (!made) return Error(made.error());
+    stages.push_back(std::move(*made));
+    return {};
+  }
   /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first; a tail's
   /// have `most_of_tail` nodes at most.
   template <class Shape>
@@ -159,6 +165,7 @@ class Cycle {
   std::vector<Level> levels_;  // all but the coarsest; at least one
   std::size_t tail_ = 1;
   multigrid::Bottom bottom_;
+  multigrid::Smoothing finest_;
   gpu::Buffer<ClothNodes> nodes_;
   gpu::RawBuffer tail_levels_, sweeps_;
   gpu::Buffer<std::int32_t> no_presses_, no_pair_sums_;

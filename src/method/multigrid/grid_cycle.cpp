@@ -36,6 +36,7 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
   GridCycle made;
   made.bottom_ = multigrid::bottom_of(multigrid::grid_scales(inputs.model.host, body, inputs.step),
                                       multigrid::kGridTail);
+  made.finest_ = kernels.smoothing;
   made.shapes_ = grid_level_params(body, inputs.corners != nullptr, made.bottom_.level + 1);
   WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kGridTail));
   WEFT_SET(made.grid_,
@@ -71,19 +72,23 @@ Result<void> GridCycle::create_fine(const CycleInputs& inputs, const GridKernels
   const gpu::Workgroups nodes = for_each_cloth(kernels.smooth_fine->workgroups_of(node_count(shapes_[0])));
   const Dispatch::Bindings bindings = {inputs.state.steps, grid_,   fine.levels, place_, holds_,
                                        vectors_,           springs_};
-  WEFT_SET(fine.smooth_down, Dispatch::create(kernels.smooth_fine, nodes, bindings));
-  WEFT_SET(fine.smooth_begin, Dispatch::create(kernels.prolong_fine, nodes, bindings));
-  WEFT_SET(fine.smooth_up, Dispatch::create(kernels.smooth_last, nodes,
-                                            {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_,
-                                             springs_, partials_}));
-  if (shapes_.size() == 1) return {};
+  const bool alone = shapes_.size() == 1;
+  WEFT_CHECK(add_stage(fine.down, Dispatch::create(kernels.smooth_fine, nodes, bindings)));
+  if (!alone)
+    WEFT_CHECK(
+        add_stage(fine.up, Dispatch::create(kernels.correct_fine, nodes, {fine.levels, place_, vectors_})));
+  WEFT_CHECK(add_stage(fine.up, Dispatch::create(kernels.prolong_fine, nodes, bindings)));
+  WEFT_CHECK(add_stage(fine.up, Dispatch::create(kernels.smooth_last, nodes,
+                                                 {inputs.state.steps, grid_, fine.levels, place_, holds_,
+                                                  vectors_, springs_, partials_})));
+  if (alone) return {};
   const gpu::Workgroups coarse = for_each_cloth(kernels.galerkin_fine->workgroups_of(node_count(shapes_[1])));
   WEFT_SET(fine.coarsen, Dispatch::create(kernels.galerkin_fine, coarse,
                                           {inputs.state.steps, grid_, fine.levels, place_, holds_, vectors_,
                                            springs_, operators_}));
-  WEFT_SET(fine.residual, Dispatch::create(kernels.residual_fine, nodes, bindings));
-  WEFT_SET(fine.restrict_down, Dispatch::create(kernels.restrict_residual, coarse, {fine.levels, vectors_}));
-  WEFT_SET(fine.correct, Dispatch::create(kernels.correct_fine, nodes, {fine.levels, place_, vectors_}));
+  WEFT_CHECK(add_stage(fine.down, Dispatch::create(kernels.residual_fine, nodes, bindings)));
+  WEFT_CHECK(
+      add_stage(fine.down, Dispatch::create(kernels.restrict_residual, coarse, {fine.levels, vectors_})));
   WEFT_SET(tail_cycle_, Dispatch::create(kernels.cycle_tail, for_each_cloth({}),
                                          {tail_levels_, vectors_, operators_, sweeps_}));
   return {};
@@ -100,14 +105,11 @@ Result<void> GridCycle::create_coarse(const GridKernels& kernels) {
                                                  std::uint64_t{multigrid::kBlocks} * coarse_nodes)),
                                              bindings));
     if (l >= tail_) continue;
-    WEFT_SET(level.restrict_down,
-             Dispatch::create(kernels.descend,
-                              for_each_cloth(tiles(*kernels.descend, shapes_[l + 1], multigrid::kCoarseTile)),
-                              bindings));
-    WEFT_SET(
-        level.correct,
-        Dispatch::create(kernels.ascend, for_each_cloth(tiles(*kernels.ascend, shapes_[l], multigrid::kTile)),
-                         bindings));
+    const gpu::Workgroups down =
+        for_each_cloth(tiles(*kernels.descend, shapes_[l + 1], multigrid::kCoarseTile));
+    const gpu::Workgroups up = for_each_cloth(tiles(*kernels.ascend, shapes_[l], multigrid::kTile));
+    WEFT_CHECK(add_stage(level.down, Dispatch::create(kernels.descend, down, bindings)));
+    WEFT_CHECK(add_stage(level.up, Dispatch::create(kernels.ascend, up, bindings)));
   }
   return {};
 }

@@ -5,6 +5,9 @@
 #include "method/multigrid/mesh_lists.hpp"
 
 namespace weft {
+
+using multigrid::CycleKind;
+
 namespace {
 
 template <class Set>
@@ -68,10 +71,55 @@ bool any_strain_limit(const CycleInputs& inputs) {
 /// Whether an edge has a strain limit, for the kernels that evaluate springs.
 gpu::Constant limits(const CycleInputs& inputs) { return {"kLimits", any_strain_limit(inputs) ? 1.0 : 0.0}; }
 
-/// The vector in which the second smoothing sweep finds the solution: the first sweep itself on the way
-/// down.
-gpu::Constant down() { return {"kFrom", multigrid::kDirection}; }
-gpu::Constant up() { return {"kFrom", multigrid::kSecond}; }
+/// The first sweep of a smoothing, for the kernels that do it.
+gpu::Constant first_sweep(const multigrid::Smoothing& smoothing) {
+  return {"kBegin", sweep_of(smoothing, 0).take};
+}
+/// Another one.
+std::vector<gpu::Constant> later_sweep(const multigrid::Smoothing& smoothing, std::uint32_t number) {
+  const multigrid::Sweep sweep = sweep_of(smoothing, number);
+  return {{"kKeep", sweep.keep}, {"kTake", sweep.take}};
+}
+
+std::vector<gpu::Constant> operator+(std::vector<gpu::Constant> a, const std::vector<gpu::Constant>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// The vectors of sweep `number` behind the first on a mesh: the solution goes from one to another and back, down from
+/// where the first sweep has left it, which is d as well.
+std::vector<gpu::Constant> vectors_of_sweep(std::uint32_t number, bool down) {
+  using namespace multigrid;
+  const std::uint32_t other = down ? kDirection : kSecond, kept = down ? kSecond : kDirection;
+  const bool leaves = number % 2 == 1;
+  return {{"kFrom", static_cast<double>(leaves ? other : kFirst)},
+          {"kTo", static_cast<double>(leaves ? kFirst : other)},
+          {"kStep", static_cast<double>(number == 1 ? kDirection : kept)},
+          {"kNext", static_cast<double>(kept)}};
+}
+
+/// The sweeps of a mesh's level. `has_own_last`: another kernel does the last one on the way up.
+Result<LevelSmoothing> create_smoothing(gpu::Device& device, const multigrid::Smoothing& smoothing,
+                                        bool has_own_last, const gpu::Constant& general) {
+  constexpr std::uint32_t kByLanes = multigrid::kLanes * multigrid::kChunk;
+  LevelSmoothing made;
+  const auto add = [&](std::vector<gpu::SharedKernel>& sweeps, const char* path,
+                       const std::vector<gpu::Constant>& constants) -> Result<void> {
+    gpu::SharedKernel kernel;
+    WEFT_SET(kernel, gpu::create_shared_kernel(device, path, constants, kByLanes));
+    sweeps.push_back(std::move(kernel));
+    return {};
+  };
+  WEFT_CHECK(add(made.up, "method/multigrid/mesh_smooth_begin.wgsl", {first_sweep(smoothing), general}));
+  for (const bool down : {true, false})
+    for (std::uint32_t k = 1; k < smoothing.sweeps - (!down && has_own_last ? 1 : 0); ++k) {
+      const gpu::Constant last{"kIsLast", k + 1 == smoothing.sweeps ? 1.0 : 0.0};
+      WEFT_CHECK(add(
+          down ? made.down : made.up, "method/multigrid/mesh_smooth.wgsl",
+          later_sweep(smoothing, k) + vectors_of_sweep(k, down) + std::vector<gpu::Constant>{last, general}));
+    }
+  return made;
+}
 
 /// Of a second system; of the only or the second one.
 gpu::Constant again() { return {"kAgain", 1}; }
@@ -89,7 +137,7 @@ bool any_bend_springs(const Model& model) {
                      [](const Body& body) { return body.grid && body.stiffness.bend > 0; });
 }
 
-Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
+Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs, const multigrid::Smoothing& finest) {
   const std::uint32_t size = inputs.workgroup_size, lone = lone_workgroup_size(inputs.device);
   using K = SharedKernels;
   const Row<K> table[] = {
@@ -98,9 +146,9 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
       {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
       {&K::go_on, "go_on", size, {pairs(inputs), holds(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs), holds(inputs)}},
-      {&K::begin_again, "begin_solve", size, {pairs(inputs), holds(inputs), again()}},
+      {&K::begin_again, "begin_solve", size, {pairs(inputs), holds(inputs), again(), first_sweep(finest)}},
       {&K::begin_measure, "begin_solve", size, {again(), measures()}},
-      {&K::advance, "advance", size},
+      {&K::advance, "advance", size, {first_sweep(finest)}},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
       {&K::first_norm_again, "add_up", lone, {sum(0), again(), last()}},
@@ -128,6 +176,8 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs) {
 
 Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   const std::uint32_t size = inputs.workgroup_size;
+  const multigrid::Smoothing finest =
+      multigrid::finest_smoothing(inputs.model.host, CycleKind::Grid, inputs.step);
   const std::vector<gpu::Constant> of_springs = {holds(inputs), air(inputs), bend(inputs), limits(inputs)};
   using K = GridKernels;
   const Row<K> table[] = {
@@ -137,11 +187,11 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
        {holds(inputs), air(inputs), bend(inputs), limits(inputs), lead(inputs)}},
       {&K::galerkin_fine, "galerkin_fine", size, of_springs},
       {&K::galerkin, "galerkin", size},
-      {&K::smooth_fine, "smooth_fine", size, of_springs},
+      {&K::smooth_fine, "smooth_fine", size, of_springs + later_sweep(finest, 1)},
       {&K::residual_fine, "residual_fine", size, of_springs},
       {&K::correct_fine, "correct_fine", size},
-      {&K::prolong_fine, "prolong_fine", size, of_springs},
-      {&K::smooth_last, "smooth_last_fine", size, of_springs},
+      {&K::prolong_fine, "prolong_fine", size, of_springs + std::vector{first_sweep(finest)}},
+      {&K::smooth_last, "smooth_last_fine", size, of_springs + later_sweep(finest, 1)},
       {&K::search,
        "search_fine",
        size,
@@ -152,40 +202,38 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
       {&K::cycle_tail, "cycle_tail", tail_workgroup_size(inputs.device, multigrid::kGridTail)},
   };
   K made;
+  made.smoothing = finest;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
-  WEFT_SET(made.shared, SharedKernels::create(inputs));
+  WEFT_SET(made.shared, SharedKernels::create(inputs, finest));
   return made;
 }
 
-MeshElements elements_in(const Body& body) {
-  if (body.solid) return MeshElements::Tets;
-  return body.fabric ? MeshElements::Fabric : MeshElements::Springs;
-}
-
-Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, MeshElements elements) {
-  const bool of_springs = elements == MeshElements::Springs, of_fabric = elements == MeshElements::Fabric;
+Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kind) {
+  const multigrid::Smoothing finest = multigrid::finest_smoothing(inputs.model.host, kind, inputs.step);
+  const bool of_springs = kind == CycleKind::Springs, of_fabric = kind == CycleKind::Fabric;
   const std::uint32_t size = inputs.workgroup_size,
                       lone = tail_workgroup_size(inputs.device, multigrid::kMeshTail);
   constexpr std::uint32_t kByLanes = multigrid::kLanes * multigrid::kChunk;
   using K = MeshKernels;
   const gpu::Constant general{"kGeneral", of_springs ? 0.0 : 1.0};
   const gpu::Constant part{"kDiagonalPart", of_springs ? 1.0 : multigrid::kElementDiagonalPart};
-  const gpu::Constant taps{"kTaps", static_cast<double>(multigrid::taps_of(elements == MeshElements::Tets))};
+  const gpu::Constant taps{"kTaps", static_cast<double>(multigrid::taps_of(kind == CycleKind::Tets))};
   const Row<K> table[] = {
       {&K::galerkin, "mesh_galerkin", size, {general, part}},
-      {&K::smooth_down, "mesh_smooth_end", kByLanes, {down(), general}},
       {&K::residual, "mesh_residual", kByLanes, {general}},
       {&K::restrict_residual, "mesh_restrict", size},
       {&K::tail, "mesh_tail", lone, {general, taps}},
       {&K::tail_of_pieces, "mesh_tail", lone, {{"kShows", 0}, general, taps}},
       {&K::prolong, "mesh_prolong", size, {taps}},
-      {&K::smooth_begin, "mesh_smooth_begin", kByLanes, {general}},
-      {&K::smooth_up, "mesh_smooth_end", kByLanes, {up(), general}},
-      {&K::smooth_last, "mesh_smooth_last", kByLanes, {general}},
+      {&K::smooth_last, "mesh_smooth_last", kByLanes,
+       later_sweep(finest, finest.sweeps - 1) + std::vector{general}},
       {&K::search, "mesh_search", kByLanes, {pairs(inputs), general}},
   };
   K made;
+  made.smoothing = finest;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
+  WEFT_SET(made.finest, create_smoothing(inputs.device, finest, true, general));
+  WEFT_SET(made.coarse, create_smoothing(inputs.device, {}, false, general));
   const Row<K> gradient_of_springs[] = {
       {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), lead(inputs)}}};
   const Row<K> gradient_of_elements[] = {
@@ -202,8 +250,8 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, MeshElements 
   using S = SolidKernels;
   const Row<S> solid[] = {{&S::terms, "solid_terms", size, {lead(inputs)}},
                           {&S::blocks, "solid_blocks", size, {general}}};
-  if (elements == MeshElements::Tets) WEFT_CHECK(create_all<S>(inputs.device, solid, made.solid));
-  WEFT_SET(made.shared, SharedKernels::create(inputs));
+  if (kind == CycleKind::Tets) WEFT_CHECK(create_all<S>(inputs.device, solid, made.solid));
+  WEFT_SET(made.shared, SharedKernels::create(inputs, finest));
   return made;
 }
 

@@ -20,14 +20,15 @@ struct SharedKernels {
   gpu::SharedKernel add_gas;                 // none without gas
   gpu::SharedKernel add_air, add_air_again;  // none without air
 
-  /// Errors  Shader.
-  static Result<SharedKernels> create(const CycleInputs& inputs);
+  /// `finest`: the smoothing of the finest level. Errors  Shader.
+  static Result<SharedKernels> create(const CycleInputs& inputs, const multigrid::Smoothing& finest);
 };
 
 /// The kernels of grids, shared by all of them. Those of the finest level recompute its matrix from the
 /// nodes' positions; the others read that of their level. Source: docs/solvers/multigrid.md.
 struct GridKernels {
   SharedKernels shared;
+  multigrid::Smoothing smoothing;                             // of the finest level
   gpu::SharedKernel gradient;                                 // the linear system
   gpu::SharedKernel galerkin_fine, galerkin;                  // matrices of coarse levels
   gpu::SharedKernel smooth_fine, residual_fine;               // the cycle on the finest level, down
@@ -52,25 +53,26 @@ struct SolidKernels {
   gpu::SharedKernel terms, blocks;
 };
 
-/// What meets in the nodes of a mesh. All but springs have general blocks.
-enum class MeshElements : std::uint8_t { Springs, Fabric, Tets };
-inline constexpr std::size_t kMeshElements = 3;
-MeshElements elements_in(const Body& body);
+/// The sweeps of a level: down behind the first one, which other kernels do; up all, but the finest level's last.
+struct LevelSmoothing {
+  std::vector<gpu::SharedKernel> down, up;
+};
 
-/// The kernels of meshes of one kind of elements: the same for all levels.
+/// The kernels of meshes of one kind of elements: the same for all levels. All but springs have general blocks.
 struct MeshKernels {
   SharedKernels shared;
-  FabricKernels fabric;                                        // none but for fabric
-  SolidKernels solid;                                          // none but for tetrahedra
-  gpu::SharedKernel gradient, galerkin;                        // the linear system, and its coarse levels
-  gpu::SharedKernel smooth_down, residual, restrict_residual;  // the cycle: down
-  gpu::SharedKernel tail, tail_of_pieces;                      // on the coarsest levels
-  gpu::SharedKernel prolong, smooth_begin, smooth_up;          // up
-  gpu::SharedKernel smooth_last;                               // on the finest
-  gpu::SharedKernel search;                                    // A p
+  FabricKernels fabric;                  // none but for fabric
+  SolidKernels solid;                    // none but for tetrahedra
+  gpu::SharedKernel gradient, galerkin;  // the linear system, and its coarse levels
+  multigrid::Smoothing smoothing;        // of the finest level
+  LevelSmoothing finest, coarse;
+  gpu::SharedKernel residual, restrict_residual, prolong;  // the cycle: down and up
+  gpu::SharedKernel tail, tail_of_pieces;                  // on the coarsest levels
+  gpu::SharedKernel smooth_last;                           // the last sweep on the finest
+  gpu::SharedKernel search;                                // A p
 
   /// Errors  Shader.
-  static Result<MeshKernels> create(const CycleInputs& inputs, MeshElements elements);
+  static Result<MeshKernels> create(const CycleInputs& inputs, multigrid::CycleKind kind);
 };
 
 }  // namespace weft

@@ -11,12 +11,13 @@ using gpu::Dispatch;
 Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
   MeshCycle made;
   const Model& model = inputs.model.host;
-  const bool of_springs = elements_in(body) == MeshElements::Springs;
+  const bool of_springs = multigrid::kind_of(body) == multigrid::CycleKind::Springs;
   const ElementPairs pairs = of_springs ? ElementPairs{} : element_pairs(model, body);
   std::vector<MeshLevel> levels = of_springs ? mesh_levels(model, body, model.springs(body))
                                              : mesh_levels(model, body, pairs.pairs, Blocks::General);
   made.bottom_ =
       multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, inputs.step), multigrid::kMeshTail);
+  made.finest_ = kernels.smoothing;
   levels.resize(made.bottom_.level + 1);
   const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr, body.solid.has_value());
   made.shapes_ = lists.levels;
@@ -123,25 +124,27 @@ Result<void> MeshCycle::create_levels(const MeshKernels& kernels) {
     }
     if (l >= tail_) continue;
     const gpu::Workgroups by_lanes =
-        kernels.smooth_down->workgroups_of(multigrid::kLanes * std::uint64_t{node_count(shapes_[l])});
+        kernels.residual->workgroups_of(multigrid::kLanes * std::uint64_t{node_count(shapes_[l])});
     const gpu::Workgroups nodes = kernels.prolong->workgroups_of(node_count(shapes_[l]));
     const Dispatch::Bindings bindings = {level.levels, vectors_, blocks_, lists_.row_starts, lists_.entries};
-    WEFT_SET(level.smooth_down, Dispatch::create(kernels.smooth_down, by_lanes, bindings));
-    WEFT_SET(level.smooth_begin, Dispatch::create(kernels.smooth_begin, by_lanes, bindings));
-    if (l == 0) {
-      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_last, by_lanes,
-                                                 {level.levels, vectors_, blocks_, lists_.row_starts,
-                                                  lists_.entries, partials_}));
-    } else {
-      WEFT_SET(level.smooth_up, Dispatch::create(kernels.smooth_up, by_lanes, bindings));
+    const LevelSmoothing& smoothing = l == 0 ? kernels.finest : kernels.coarse;
+    for (const gpu::SharedKernel& sweep : smoothing.down)
+      WEFT_CHECK(add_stage(level.down, Dispatch::create(sweep, by_lanes, bindings)));
+    if (!coarsest) {
+      const gpu::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
+      WEFT_CHECK(add_stage(level.down, Dispatch::create(kernels.residual, by_lanes, bindings)));
+      WEFT_CHECK(add_stage(level.down,
+                           Dispatch::create(kernels.restrict_residual, coarse,
+                                            {level.levels, vectors_, lists_.source_starts, lists_.sources})));
+      WEFT_CHECK(add_stage(level.up,
+                           Dispatch::create(kernels.prolong, nodes, {level.levels, vectors_, lists_.taps})));
     }
-    if (coarsest) continue;
-    const gpu::Workgroups coarse = kernels.restrict_residual->workgroups_of(node_count(shapes_[l + 1]));
-    WEFT_SET(level.residual, Dispatch::create(kernels.residual, by_lanes, bindings));
-    WEFT_SET(level.restrict_down,
-             Dispatch::create(kernels.restrict_residual, coarse,
-                              {level.levels, vectors_, lists_.source_starts, lists_.sources}));
-    WEFT_SET(level.correct, Dispatch::create(kernels.prolong, nodes, {level.levels, vectors_, lists_.taps}));
+    for (const gpu::SharedKernel& sweep : smoothing.up)
+      WEFT_CHECK(add_stage(level.up, Dispatch::create(sweep, by_lanes, bindings)));
+    if (l == 0)
+      WEFT_CHECK(add_stage(level.up, Dispatch::create(kernels.smooth_last, by_lanes,
+                                                      {level.levels, vectors_, blocks_, lists_.row_starts,
+                                                       lists_.entries, partials_})));
   }
   if (shapes_.size() == 1) return {};
   const bool is_of_pieces = node_count(shapes_[tail_]) > multigrid::kMeshTail;

@@ -10,20 +10,23 @@ fn left_of(level : Level, x : u32, node : u32) -> vec3f {
   return vectors[vector_at(level, kResidual, node)].xyz - product(level, x, node);
 }
 
-// What x changes by, keep d + take D⁻¹ (r - A x).
-fn sweep_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
-  let d = vectors[vector_at(level, kDirection, node)].xyz;
+// What x changes by, keep d + take D⁻¹ (r - A x), with d from a vector.
+fn sweep_from(level : Level, step : u32, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
+  let d = vectors[vector_at(level, step, node)].xyz;
   return keep * d + take * times(inverse_at(level, node), left_of(level, x, node));
 }
+fn sweep_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
+  return sweep_from(level, kDirection, x, keep, take, node);
+}
 
-// The first smoothing sweep: it leaves d for the second.
+// The first smoothing sweep: it leaves d for the next.
 fn begin_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   let d = kBegin * times(inverse_at(level, node), left_of(level, from_x, node));
   keep_vector(level, to_x, node, operand(level, from_x, node) + d);
   vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
 }
 
-// The second sweep.
+// The last sweep.
 fn end_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
   let d = sweep_of(level, from_x, kKeep, kTake, node);
   keep_vector(level, to_x, node, operand(level, from_x, node) + d);

@@ -15,6 +15,6 @@ inline constexpr std::uint32_t kFirstIterations = 2;
 inline constexpr std::uint32_t kMostIterations = 64;
 /// Where obstacles may hold nodes, this part of the wanted residual: what is left brakes what slides as a whole. A
 /// strip over a capsule, a seventh more than friction holds, goes 19 cm in two thirds of a second, and 9 without this.
-inline constexpr double kHeldPart = 0.3;
+inline constexpr double kHeldPart = 0.1;
 
 }  // namespace weft::multigrid

@@ -1,6 +1,7 @@
 #include "method/multigrid/solver_multigrid.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "method/corners.hpp"
@@ -69,11 +70,12 @@ Result<void> SolverMultigrid::bind_lists() {
 
 Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
-  std::array<std::optional<MeshKernels>, kMeshElements> mesh_kernels;
+  std::map<multigrid::CycleKind, MeshKernels> mesh_kernels;
   const std::span<const Body> bodies = inputs.model.host.bodies;
   for (std::size_t b = 0; b < bodies.size();) {
     const Body& body = bodies[b];
-    if (body.grid && elements_in(body) == MeshElements::Springs) {
+    const multigrid::CycleKind kind = multigrid::kind_of(body);
+    if (kind == multigrid::CycleKind::Grid) {
       const std::uint32_t count = equal_grids(
           bodies.subspan(b), most_cloths(body, inputs.device.limits(), inputs.corners != nullptr));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
@@ -81,10 +83,8 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
       grids_.push_back(std::move(cycle));
       b += count;
     } else {
-      const MeshElements elements = elements_in(body);
-      std::optional<MeshKernels>& kernels = mesh_kernels[static_cast<std::size_t>(elements)];
-      if (!kernels) WEFT_SET(kernels, MeshKernels::create(inputs, elements));
-      WEFT_TRY(cycle, MeshCycle::create(inputs, *kernels, body));
+      if (!mesh_kernels.contains(kind)) WEFT_SET(mesh_kernels[kind], MeshKernels::create(inputs, kind));
+      WEFT_TRY(cycle, MeshCycle::create(inputs, mesh_kernels[kind], body));
       meshes_.push_back(std::move(cycle));
       ++b;
     }

@@ -9,8 +9,7 @@
 
 namespace weft::reference {
 
-using multigrid::Bottom, multigrid::kSmoothHigh, multigrid::kSmoothLow;
-inline constexpr std::uint32_t kSmoothDegree = 2;
+using multigrid::Bottom, multigrid::Smoothing, multigrid::kSmoothHigh;
 
 /// r - A x
 template <class Matrix>
@@ -20,22 +19,14 @@ Field residual(const Matrix& matrix, const Field& r, const Field& x) {
   return left;
 }
 
-/// Improves A x = r by Chebyshev's polynomial of D⁻¹ A for eigenvalues from `low` to kSmoothHigh.
+/// Improves A x = r by Chebyshev's polynomial of D⁻¹ A.
 template <class Matrix>
 void smooth(const Matrix& matrix, const std::vector<Sym3>& inverse_diagonal, const Field& r, Field& x,
-            double low, std::uint32_t degree) {
-  const double middle = (kSmoothHigh + low) / 2, half = (kSmoothHigh - low) / 2, sigma = middle / half;
-  double rho = 1 / sigma;
-  Field left = residual(matrix, r, x), d(x.size());
-  for (std::uint32_t k = 0; k < degree; ++k) {
-    double keep = 0, take = 1 / middle;
-    if (k > 0) {
-      const double next = 1 / (2 * sigma - rho);
-      keep = next * rho;
-      take = 2 * next / half;
-      rho = next;
-      left = residual(matrix, r, x);
-    }
+            const Smoothing& smoothing) {
+  Field d(x.size());
+  for (std::uint32_t k = 0; k < smoothing.sweeps; ++k) {
+    const auto [keep, take] = multigrid::sweep_of(smoothing, k);
+    const Field left = residual(matrix, r, x);
     for (std::size_t a = 0; a < x.size(); ++a) d[a] = keep * d[a] + take * (inverse_diagonal[a] * left[a]);
     for (std::size_t a = 0; a < x.size(); ++a) x[a] += d[a];
   }
@@ -53,23 +44,24 @@ class Cycle {
     Field x(r.size());
     const bool last = level + 1 == levels_.size();
     if (last && level > 0) {
-      smooth(matrix, inverse_[level], r, x, bottom_.low, bottom_.sweeps);
+      smooth(matrix, inverse_[level], r, x, {bottom_.sweeps, bottom_.low, kSmoothHigh});
       return x;
     }
-    smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
+    const Smoothing smoothing = level == 0 ? finest_ : Smoothing{};
+    smooth(matrix, inverse_[level], r, x, smoothing);
     if (!last) {
       const Field coarse = cycle_from(level + 1, restricted(residual(matrix, r, x), matrix));
       const Field correction = prolonged(coarse, matrix);
       for (std::size_t a = 0; a < x.size(); ++a) x[a] += correction[a];
     }
-    smooth(matrix, inverse_[level], r, x, kSmoothLow, kSmoothDegree);
+    smooth(matrix, inverse_[level], r, x, smoothing);
     return x;
   }
   const std::vector<Matrix>& levels() const { return levels_; }
   const std::vector<std::vector<Sym3>>& inverse_diagonals() const { return inverse_; }
 
  protected:
-  explicit Cycle(const Bottom& bottom) : bottom_(bottom) {}
+  Cycle(const Bottom& bottom, const Smoothing& finest) : bottom_(bottom), finest_(finest) {}
   void add(Matrix matrix) {
     inverse_.push_back(matrix.inverse_diagonal());
     levels_.push_back(std::move(matrix));
@@ -77,6 +69,7 @@ class Cycle {
 
  private:
   Bottom bottom_;
+  Smoothing finest_;
   std::vector<Matrix> levels_;
   std::vector<std::vector<Sym3>> inverse_;
 };
@@ -85,14 +78,16 @@ class Cycle {
 class Hierarchy : public Cycle<GridOperator> {
  public:
   /// `fine` is the matrix; `source` has the nine-point part whose Pᵀ A P the coarse ones are.
-  Hierarchy(GridOperator fine, const GridOperator& source, const Bottom& bottom = {});
+  /// `finest`: the smoothing of that level.
+  Hierarchy(GridOperator fine, const GridOperator& source, const Bottom& bottom = {},
+            const Smoothing& finest = {});
 };
 
 /// Of a mesh.
 class MeshHierarchy : public Cycle<MeshOperator> {
  public:
   /// `fine` is the matrix; it names its levels, which must stay.
-  explicit MeshHierarchy(MeshOperator fine, const Bottom& bottom = {});
+  explicit MeshHierarchy(MeshOperator fine, const Bottom& bottom = {}, const Smoothing& finest = {});
 };
 
 }  // namespace weft::reference

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "method/air_reference.hpp"
 #include "method/multigrid/reference/fabric_terms.hpp"
@@ -113,8 +114,12 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
   std::size_t springs = 0, fabrics = 0, solids = 0;
+  std::map<multigrid::CycleKind, multigrid::Smoothing> finest;
   for (const Body& body : model.bodies) {
     Cloth made{body.first_vertex, body.vertex_count};
+    const multigrid::CycleKind kind = multigrid::kind_of(body);
+    if (!finest.contains(kind)) finest[kind] = multigrid::finest_smoothing(model, kind, step);
+    made.finest = finest[kind];
     if (body.fabric || body.solid) {
       if (body.fabric) {
         made.fabric = fabrics++;
@@ -400,11 +405,11 @@ ImplicitStepper::Solved ImplicitStepper::solved(const Substep& substep, const Pr
   if (cloths_[c].levels.empty()) {
     LinearStep step =
         linearise(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
-    return solved(step, Hierarchy(step.matrix, step.source, cloths_[c].bottom));
+    return solved(step, Hierarchy(step.matrix, step.source, cloths_[c].bottom, cloths_[c].finest));
   }
   MeshStep step =
       linearise_mesh(substep.system, substep.places, substep.dt, substep.ratio, c, pressed.presses, ways);
-  return solved(step, MeshHierarchy(step.matrix, cloths_[c].bottom));
+  return solved(step, MeshHierarchy(step.matrix, cloths_[c].bottom, cloths_[c].finest));
 }
 
 void ImplicitStepper::forget(const std::vector<NearPair>& pairs) {

@@ -111,6 +111,7 @@ class ImplicitStepper : public Stepper {
     ElementPairs parts;                 // of the fabric's or the solid's matrix
     std::vector<double> hinge_bounds;   // [N·m]
     multigrid::Bottom bottom;           // of its cycles
+    multigrid::Smoothing finest;
   };
 
   struct Solved {
