@@ -269,7 +269,8 @@ SolvedContact solved_contact(const scene::Scene& scene, const Method& method) {
 }
 
 bool leaves_obstacles(const scene::Scene& scene, const Method& method) {
-  return could_hold(scene, method) && (scene.contact.restitution > 0 || scene::has_rigid(scene));
+  return could_hold(scene, method) &&
+         ((scene.contact.restitution > 0 && method.holds_pairs) || scene::has_rigid(scene));
 }
 
 }  // namespace weft

@@ -98,9 +98,10 @@ Result<MethodChoice> choose_method(const scene::Scene& scene, const Model& model
 double predicted_frame(const scene::Scene& scene, const Model& model, const Method& method,
                        std::uint32_t substeps);
 
-/// What of contact the method answers itself in this scene. Restitution is left to impulses.
+/// What of contact the method answers itself in this scene.
 SolvedContact solved_contact(const scene::Scene& scene, const Method& method);
-/// Whether impulses answer obstacles that the method would answer itself, for restitution's or a rigid body's sake.
+/// Whether impulses answer obstacles that the method would answer itself, for a rigid body's sake, or for
+/// restitution's, which no method answers that holds pairs of cloth too.
 bool leaves_obstacles(const scene::Scene& scene, const Method& method);
 
 }  // namespace weft

@@ -27,6 +27,7 @@ struct Substep {
   double ratio = 1;                  // of dt to the step before; 0: a method with a history starts without it
   /// By velocities that take nodes to where they may end [m/s]; none: the method's matrix does not answer contact.
   std::function<Pressed(std::span<const Vec3d> velocity)> pressed = {};
+  double restitution = 0;  // of what it answers
 };
 
 class Stepper {

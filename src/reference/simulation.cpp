@@ -185,7 +185,8 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
       return {proximity_->pressed_pairs(), std::move(presses)};
     };
   const double ratio = number == 0 ? frame.step_ratio : 1;
-  stepper_->advance({system_, places_at((before + 1) * dt, previous), dt, ratio, pressed});
+  stepper_->advance(
+      {system_, places_at((before + 1) * dt, previous), dt, ratio, pressed, scene_.contact.restitution});
   const std::vector<Vec3d> position = system_.position, velocity = system_.velocity;
   if (!proximity_) {
     answer_contacts(previous);

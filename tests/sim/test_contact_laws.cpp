@@ -561,6 +561,44 @@ TEST_CASE("a sheet that falls on a ball or a box gains no energy, by methods who
     }
 }
 
+TEST_CASE(
+    "a free sheet that strikes a ball has no more energy after it, whatever restitution, by methods with "
+    "sweeps") {
+  GpuFixture fixture;
+  struct Steps {
+    std::string solver;
+    int iterations, substeps;
+  };
+  for (const Steps& steps :
+       {Steps{"vbd", 20, 16}, Steps{"xpbd", 32, 32}, Steps{"projective_dynamics", 40, 32}})
+    for (const double restitution : {0.0, 0.5, 1.0}) {
+      auto world = world_of(
+          fixture.device(),
+          contact_scene(R"("gravity": [0, 0, 0], "time": {"substeps": )" + std::to_string(steps.substeps) +
+                        R"(}, "solver": {"kind": ")" + steps.solver + R"(", "iterations": )" +
+                        std::to_string(steps.iterations) +
+                        R"(}, "contact": {"method": "proximity", "thickness": 0.005, "restitution": )" +
+                        text_of(restitution) +
+                        R"(}, "cloths": [{"grid": [21, 21], "size": [0.5, 0.5], "plane": "xz", "density": 0.2,
+        "damping": 0, "stiffness": {"structural": 500, "shear": 200, "bend": 0.5}}],
+        "colliders": [{"kind": "sphere", "center": [0.013, -0.2, 0.007], "radius": 0.1}])"));
+      change_state(*world, [](std::size_t, Vec3d&, Vec3d& velocity) { velocity = {0, -2, 0}; });
+      const double before = energy_of(*world, Moment(*world));
+      double most = 0, least = before;
+      for (int frame = 0; frame < 20; ++frame) {
+        advance(*world, 1);
+        const double energy = energy_of(*world, Moment(*world));
+        most = std::max(most, energy - least);
+        least = std::min(least, energy);
+      }
+      MESSAGE(steps.solver, " restitution ", restitution, ": energy rises by ", most / before,
+              " of it, and is ", least / before, " then");
+      CHECK(least < 0.99 * before);  // it has been struck
+      CHECK(most < 0.02 * before);
+      CHECK(world->totals().crossings == 0);
+    }
+}
+
 TEST_CASE("a sheet that drops on a floor loses its energy, or keeps e² of it") {
   GpuFixture fixture;
   constexpr double kHeight = 0.05;  // above where it lies [m]

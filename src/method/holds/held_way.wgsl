@@ -1,6 +1,7 @@
 // Where a node's own part of what the substep minimises is least, its neighbours where they are, of the ways that
 // obstacles allow. The including kernel binds `step`, and `aim` to read and write.
 // Source: docs/solvers/vbd.md, equation 7.
+#include "contact/proximity/friction.wgsl"
 #include "method/holds/node_holds.wgsl"
 #include "method/symmetric.wgsl"
 override kHolds : bool = false;  // obstacles are answered here: node_holds.wgsl

@@ -2,6 +2,15 @@
 // has what node_holds.wgsl needs, `aim` to read and write. Source: docs/solvers/vbd.md, Obstacles.
 #include "contact/proximity/pressed_vertex.wgsl"
 #include "method/holds/node_holds.wgsl"
+#include "state/contact.wgsl"
+
+// How fast a node that comes to a surface goes back from it: contact/proximity/evaluate.wgsl, equation 3.
+fn return_speed(velocity : vec3f, surface : vec3f, n : vec3f) -> f32 {
+  let comes = -dot(n, velocity - surface);
+  let load = step.time.dt * step.air.acceleration.xyz;
+  if (comes <= kPartingSteps * length(load)) { return 0.0; }
+  return max(0.0, step.contact.restitution * comes + dot(n, load));
+}
 
 // Whether anything presses it in one direction. `velocity`: at the start of the substep.
 fn take_hold(node : u32, velocity : vec3f) -> bool {
@@ -19,6 +28,7 @@ fn take_hold(node : u32, velocity : vec3f) -> bool {
   aim[at] = vec4f(n, ahead + pressed.lack - (pressed.gap - restored));
   // Friction is of what all pairs bear, which where they press apart is more than their sum.
   aim[at + 1u] = vec4f(step.time.dt * pressed.surface, pressed.friction * pressed.weight / size);
-  aim[at + 2u] = vec4f(restored, kPressed, select(0.0, 1.0, size >= kAlike * pressed.weight), 0.0);
+  aim[at + 2u] = vec4f(restored, kPressed, select(0.0, 1.0, size >= kAlike * pressed.weight),
+                       return_speed(velocity, pressed.surface, n));
   return true;
 }

@@ -2,12 +2,8 @@
 // moved it in the substep is kept in `aim`, so that a later projection can take back what an earlier one gave too much.
 // The including kernel binds `step`, and `aim` and `way` to read and write. Source: docs/solvers/xpbd.md, equations 19
 // and 20.
+#include "contact/proximity/friction.wgsl"
 #include "method/holds/node_holds.wgsl"
-
-fn no_longer(v : vec3f, most : f32) -> vec3f {
-  let size = length(v);
-  return select(1.0, most / size, size > most) * v;
-}
 
 fn project_hold(node : u32) {
   let at = hold_at(node);

@@ -10,31 +10,45 @@ namespace {
 /// The part of a node's compliance along the normal that friction of what slides leaves of it, at least.
 constexpr double kLeastCompliance = 0.25;
 
+Vec3d across(const Vec3d& v, const Vec3d& n) { return v - dot(n, v) * n; }
+
 }  // namespace
 
-std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& ahead, double dt) {
+std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& velocity, const Substep& substep) {
+  const double dt = substep.dt;
+  const Vec3d load = dt * substep.system.acceleration;
   const double size = length(press.normal);
   if (press.weight == 0 || size < kAgree * press.weight) return {};
   NodeHold hold;
   hold.normal_ = press.normal / size;
   const double gap = press.restored / press.weight;
   hold.restored_ = std::min(std::min(1.0, kHoldRate * dt / kHoldPart) * gap, kHoldSpeed * dt);
-  hold.least_ = dot(hold.normal_, ahead) + press.lack / press.weight - (gap - hold.restored_);
+  hold.least_ = dt * dot(hold.normal_, velocity) + press.lack / press.weight - (gap - hold.restored_);
   hold.surface_way_ = dt / press.weight * press.surface;
   hold.friction_ = press.friction / size;  // of what all pairs bear, not of their sum
   hold.alike_ = size >= kAlike * press.weight;
+  const double comes = -dot(hold.normal_, velocity - press.surface / press.weight);
+  if (comes > kPartingSteps * length(load))
+    hold.return_speed_ = std::max(0.0, substep.restitution * comes + dot(hold.normal_, load));
   return hold;
+}
+
+Vec3d NodeHold::velocity(const Vec3d& way, double dt) const {
+  if (!bears_) return way / dt;
+  const Vec3d v = (way - restored_ * normal_) / dt, own = v - surface_way_ / dt;
+  const double more = return_speed_ - dot(normal_, own);
+  if (return_speed_ == 0 || more <= 0) return v;
+  return v + more * normal_ - no_longer(across(own, normal_), friction_ * more);
 }
 
 Vec3d NodeHold::descend(const NodeDescent& node) {
   const double lack = least_ - dot(normal_, node.free);
   bears_ = lack > 0;
   if (!bears_) return node.free;
-  const auto across = [&](const Vec3d& v) { return v - dot(normal_, v) * normal_; };
-  const Vec3d stuck = across(surface_way_) + least_ * normal_;
+  const Vec3d stuck = across(surface_way_, normal_) + least_ * normal_;
   const Vec3d needed = node.hessian * (stuck - node.free);  // the force, by the node's inertia [m]
   const double normal = dot(normal_, needed);
-  const Vec3d along = across(needed);
+  const Vec3d along = across(needed, normal_);
   if (length(along) <= friction_ * normal) return stuck;
   const Sym3 compliance = inverse(node.hessian);
   const double plain = dot(normal_, compliance * normal_);
@@ -44,12 +58,9 @@ Vec3d NodeHold::descend(const NodeDescent& node) {
 }
 
 Vec3d NodeHold::project(const Vec3d& way) {
-  const auto across = [&](const Vec3d& v) { return v - dot(normal_, v) * normal_; };
   const double normal = std::max(0.0, dot(normal_, held_) + least_ - dot(normal_, way));
-  const Vec3d tried = across(held_ - (way - surface_way_));
-  const double most = friction_ * normal, size = length(tried);
-  const Vec3d before = held_;
-  held_ = normal * normal_ + (size > most ? most / size : 1) * tried;
+  const Vec3d tried = across(held_ - (way - surface_way_), normal_), before = held_;
+  held_ = normal * normal_ + no_longer(tried, friction_ * normal);
   bears_ = normal > 0;
   return way + (held_ - before);
 }
@@ -62,7 +73,7 @@ void NodeHolds::take(const Substep& substep) {
   const std::vector<Press> presses = substep.pressed(velocity).presses;
   for (std::size_t node = 0; node < holds_.size(); ++node)
     if (substep.system.inverse_mass[node] > 0)
-      holds_[node] = NodeHold::of(presses[node], substep.dt * velocity[node], substep.dt);
+      holds_[node] = NodeHold::of(presses[node], velocity[node], substep);
 }
 
 Ways NodeHolds::begin(const Substep& substep, LookBack& look_back, std::vector<Vec3d>& aim) {
@@ -93,7 +104,7 @@ std::vector<bool> NodeHolds::held() const {
 
 void NodeHolds::end(const Substep& substep, const std::vector<Vec3d>& ways) const {
   for (std::size_t node = 0; node < holds_.size(); ++node)
-    if (holds_[node]) substep.system.velocity[node] = holds_[node]->moved(ways[node]) / substep.dt;
+    if (holds_[node]) substep.system.velocity[node] = holds_[node]->velocity(ways[node], substep.dt);
 }
 
 }  // namespace weft::reference

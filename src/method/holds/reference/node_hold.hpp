@@ -20,16 +20,16 @@ struct NodeDescent {
 /// What obstacles ask of a node in a substep: they press it, and their friction holds it.
 class NodeHold {
  public:
-  /// `ahead` is where its velocity at the start leads [m]. None where nothing presses the node.
-  static std::optional<NodeHold> of(const Press& press, const Vec3d& ahead, double dt);
+  /// By its velocity at the start [m/s]. None where nothing presses the node.
+  static std::optional<NodeHold> of(const Press& press, const Vec3d& velocity, const Substep& substep);
 
   /// The way at which its own part is least of those that obstacles allow, with Coulomb's friction: equation (7).
   Vec3d descend(const NodeDescent& node);
   /// The way, moved to where the obstacle allows it, as far as it has not been so yet: equations (19) and (20) of
   /// docs/solvers/xpbd.md.
   Vec3d project(const Vec3d& way);
-  /// The way without what restores a gap, which the node's velocity does not have [m].
-  Vec3d moved(const Vec3d& way) const { return bears_ ? way - restored_ * normal_ : way; }
+  /// The node's velocity after that way: without what restores a gap, and with what a blow gives back [m/s].
+  Vec3d velocity(const Vec3d& way, double dt) const;
   /// In the last descent or projection obstacles pressed the node.
   bool bears() const { return bears_; }
   /// All that presses it has about one direction: its pairs are the hold's.
@@ -41,6 +41,7 @@ class NodeHold {
   double least_ = 0;            // how far along the normal the node has to go [m]
   double restored_ = 0;         // the part of it that restores a gap [m]
   double friction_ = 0;
+  double return_speed_ = 0;  // at which a node that bears leaves the surface at least [m/s]
   bool alike_ = false, bears_ = false;
 };
 

@@ -63,7 +63,8 @@ void ProjectionStepper::project_holds(Ways& ways) {
 }
 
 void ProjectionStepper::advance(const Substep& substep) {
-  const auto& [system, places, dt, ratio, pressed] = substep;
+  MassSpringSystem& system = substep.system;
+  const double dt = substep.dt;
   yield(system);
   holds_.take(substep);
   Ways ways = Ways::begin(substep);
