@@ -118,6 +118,5 @@ const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is rest
 const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
 const kHeldLack = 0.2;       // of the thickness: what a pair may lack that is left to the solver, before it is pushed
 const kPushSpeed = 0.5;      // m/s: of a push
-const kPartingSteps = 2.0;   // what parts faster than the load moves it in so many substeps keeps less of its force
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
 const kUntangleRate = 120.0;  // thicknesses a second: the same

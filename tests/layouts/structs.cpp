@@ -540,7 +540,7 @@ Json shared_constants() {
       real("kPressedGap", "state/contact.wgsl", kPressedGap),
       real("kHeldLack", "state/contact.wgsl", kHeldLack),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
-      real("kPartingSteps", "state/contact.wgsl", kPartingSteps),
+      real("kPartingSteps", "contact/proximity/parting.wgsl", kPartingSteps),
       constant("kSumWords", "state/pair_holds.wgsl", kPairSumWords),
       constant("kHeader", "contact/proximity/kept_forces.wgsl", kHeader),
       constant("kKeptWords", "contact/proximity/kept_forces.wgsl", kKeptWords),

@@ -6,6 +6,7 @@
 #include "state/hash_pair.wgsl"
 #include "state/statistics.wgsl"
 #include "contact/proximity/crossing.wgsl"
+#include "contact/proximity/parting.wgsl"
 #include "contact/proximity/relative_velocity.wgsl"
 #include "contact/proximity/cones.wgsl"
 #include "contact/proximity/rigid_sums.wgsl"
@@ -41,9 +42,6 @@ fn solid_speed(ids : vec4u, first : u32, end : u32, w : vec4f, toward : vec3f, s
   }
   return speed;
 }
-
-// How fast features may part, or must close, to be more than moved by their load, m/s: equations (3) and (3a).
-fn speed_of_load() -> f32 { return kPartingSteps * step.time.dt * length(step.air.acceleration.xyz); }
 
 // The rigid body of a pair, if it has one.
 struct Body {

@@ -3,6 +3,7 @@
 // where bodies act on each other. Source: docs/rigid.md.
 #include "state/step.wgsl"
 #include "state/statistics.wgsl"
+#include "contact/proximity/parting.wgsl"
 #include "contact/proximity/take_rigid_sums.wgsl"
 #include "contact/proximity/rigid_turn.wgsl"
 #include "contact/proximity/rigid_shapes.wgsl"
@@ -22,7 +23,6 @@ const kOutPart = 0.2;
 const kOutSpeed = 0.5;      // m/s
 const kLifts = 0.5;         // the cosine to an obstacle's normal from which on cloth bears a body away from it
 const kNoFriction = 0.3;    // of two colliders that give none
-const kPartingSteps = 2.0;
 const kLeastTravel = 1e-9;  // m: bodies that lie still may be struck
 
 var<workgroup> ways : array<f32, kThreads>;
@@ -96,7 +96,7 @@ fn consider(body : u32, other : u32, point : vec3f, normal : vec3f, apart : f32)
   var least = -max(0.0, gap) / dt;
   let load = step.air.acceleration.xyz;
   let e = step.contact.restitution;
-  if (e > 0.0 && -speed > kPartingSteps * dt * length(load) && gap + dt * speed < 0.0) {
+  if (e > 0.0 && -speed > speed_of_load() && gap + dt * speed < 0.0) {
     let toward = select(-dt * dot(normal, load), 0.0, is_body(other));
     least = max(least, e * (-speed - toward) - toward);
   }

@@ -20,6 +20,8 @@ inline constexpr double kPushSpeed = 0.5;
 /// load's acceleration begins with less: a blow that goes through layers would else throw them back. Eight layers
 /// that fall from 0.5 m rebounded with 30 % of their energy without this, with 4 % with it.
 inline constexpr double kPartingSteps = 2;
+/// How fast features may part, or must close, to be more than moved by their load [m/s].
+inline double speed_of_load(double dt, const Vec3d& load) { return kPartingSteps * dt * length(load); }
 /// Between two iterations the normal part of an impulse goes ahead by this part of its last change.
 inline constexpr double kImpulseAhead = 0.5;
 /// The same of all of an impulse, where heavy cloth may lie on light cloth.

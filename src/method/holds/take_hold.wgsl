@@ -1,5 +1,6 @@
 // Takes what obstacles press a node with in a substep, and clears its sums. The including kernel binds `presses`, and
 // has what node_holds.wgsl needs, `aim` to read and write. Source: docs/solvers/vbd.md, Obstacles.
+#include "contact/proximity/parting.wgsl"
 #include "contact/proximity/pressed_vertex.wgsl"
 #include "method/holds/node_holds.wgsl"
 #include "state/contact.wgsl"
@@ -7,9 +8,9 @@
 // How fast a node that comes to a surface goes back from it: contact/proximity/evaluate.wgsl, equation 3.
 fn return_speed(velocity : vec3f, surface : vec3f, n : vec3f) -> f32 {
   let comes = -dot(n, velocity - surface);
-  let load = step.time.dt * step.air.acceleration.xyz;
-  if (comes <= kPartingSteps * length(load)) { return 0.0; }
-  return max(0.0, step.contact.restitution * comes + dot(n, load));
+  let e = step.contact.restitution;
+  if (e == 0.0 || comes <= speed_of_load()) { return 0.0; }
+  return max(0.0, e * comes + step.time.dt * dot(n, step.air.acceleration.xyz));
 }
 
 // Whether anything presses it in one direction. `velocity`: at the start of the substep.

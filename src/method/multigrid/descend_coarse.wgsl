@@ -43,7 +43,7 @@ fn descend_coarse(@builtin(workgroup_id) group : vec3u, @builtin(local_invocatio
     let at = in_square(smoothed_start, kSmoothedSide, k);
     if (is_node(fine, at)) {
       let node = node_at(fine, at);
-      let x = operand(fine, kDirection, node) + sweep_of(fine, kDirection, kKeep, kTake, node);
+      let x = operand(fine, kDirection, node) + sweep_of(fine, kDirection, kDirection, kKeep, kTake, node);
       smoothed[k] = x;
       if (all(at >= own_start) && all(at < own_end(first))) {
         vectors[vector_at(fine, kSecond, node)] = vec4f(x, 0.0);

@@ -13,7 +13,7 @@ fn mesh_smooth(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocat
   let is_idle = node >= node_count(level) || is_solved();
   share_product(level, kFrom, node, local, is_idle);
   if (is_idle || local % kLanes != 0u) { return; }
-  let d = sweep_from(level, kStep, kFrom, kKeep, kTake, node);
+  let d = sweep_of(level, kStep, kFrom, kKeep, kTake, node);
   keep_vector(level, kTo, node, operand(level, kFrom, node) + d);
   if (!kIsLast) { vectors[vector_at(level, kNext, node)] = vec4f(d, 0.0); }
 }

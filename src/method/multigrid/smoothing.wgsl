@@ -11,12 +11,9 @@ fn left_of(level : Level, x : u32, node : u32) -> vec3f {
 }
 
 // What x changes by, keep d + take D⁻¹ (r - A x), with d from a vector.
-fn sweep_from(level : Level, step : u32, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
+fn sweep_of(level : Level, step : u32, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
   let d = vectors[vector_at(level, step, node)].xyz;
   return keep * d + take * times(inverse_at(level, node), left_of(level, x, node));
-}
-fn sweep_of(level : Level, x : u32, keep : f32, take : f32, node : u32) -> vec3f {
-  return sweep_from(level, kDirection, x, keep, take, node);
 }
 
 // The first smoothing sweep: it leaves d for the next.
@@ -28,7 +25,7 @@ fn begin_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
 
 // The last sweep.
 fn end_smoothing(level : Level, from_x : u32, to_x : u32, node : u32) {
-  let d = sweep_of(level, from_x, kKeep, kTake, node);
+  let d = sweep_of(level, kDirection, from_x, kKeep, kTake, node);
   keep_vector(level, to_x, node, operand(level, from_x, node) + d);
 }
 

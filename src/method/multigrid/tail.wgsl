@@ -89,7 +89,7 @@ fn solve_bottom(level : Level, local : u32) {
     for (var first = 0u; first < node_count(level); first += kWorkgroupSize / kLanes) {
       let node = first + local / kLanes;
       if (has_product(level, kFirst, first, node, local)) {
-        let d = sweep_of(level, kFirst, next * rho, 2.0 * next / half, node);
+        let d = sweep_of(level, kDirection, kFirst, next * rho, 2.0 * next / half, node);
         vectors[vector_at(level, kDirection, node)] = vec4f(d, 0.0);
         keep_vector(level, kFirst, node, operand(level, kFirst, node) + d);
       }

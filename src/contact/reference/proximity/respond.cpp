@@ -43,7 +43,7 @@ class OutOfBody {
 double least_speed(const NearPair& pair, double u_n, std::span<const double> inverse_mass,
                    const ContactLaw& law) {
   const double room = std::max(0.0, pair.distance - pair.thickness);
-  const bool closing = -u_n > kPartingSteps * law.dt * length(law.load);
+  const bool closing = -u_n > speed_of_load(law.dt, law.load);
   const bool bounces = law.restitution > 0 && closing && pair.distance + law.dt * u_n < pair.thickness;
   if (!bounces) return -room / law.dt;
   double loaded = pair.rigid ? pair.rigid->weight : 0;  // a body falls as cloth does
@@ -92,7 +92,7 @@ Vec3d first_impulse(const NearPair& pair, double u_n, std::span<const double> in
   double mobility = of_body;  // were the pair alone
   for (std::uint32_t k = 0; k < pair.node_count; ++k)
     mobility += pair.weights[k] * pair.weights[k] * inverse_mass[pair.nodes[k]];
-  const double parting = u_n - kPartingSteps * law.dt * length(law.load);
+  const double parting = u_n - speed_of_load(law.dt, law.load);
   return within_cone(pair, law.dt * pair.kept - (std::max(0.0, parting) / mobility) * pair.direction);
 }
 

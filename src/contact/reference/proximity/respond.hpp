@@ -73,6 +73,8 @@ struct Response {
   std::vector<bool> struck;  // nodes with a pair with an obstacle that would end nearer than a held one may
 };
 
+/// v without its part along the unit vector n.
+inline Vec3d part_across(const Vec3d& v, const Vec3d& n) { return v - dot(v, n) * n; }
 /// v, cut to this length.
 inline Vec3d no_longer(const Vec3d& v, double most) {
   const double size = length(v);

@@ -262,7 +262,7 @@ void RigidBodies::give(const Touch& touch, const Vec3d& impulse) {
 
 void RigidBodies::find_touches(const Way& way) {
   touches_.clear();
-  const double closing = kPartingSteps * way.dt * length(way.load);
+  const double closing = speed_of_load(way.dt, way.load);
   for (std::size_t body = 0; body < solids_.size(); ++body) {
     if (!solids_[body].rigid()) continue;
     std::vector<Touch> found;

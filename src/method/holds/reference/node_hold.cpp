@@ -10,13 +10,10 @@ namespace {
 /// The part of a node's compliance along the normal that friction of what slides leaves of it, at least.
 constexpr double kLeastCompliance = 0.25;
 
-Vec3d across(const Vec3d& v, const Vec3d& n) { return v - dot(n, v) * n; }
-
 }  // namespace
 
 std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& velocity, const Substep& substep) {
   const double dt = substep.dt;
-  const Vec3d load = dt * substep.system.acceleration;
   const double size = length(press.normal);
   if (press.weight == 0 || size < kAgree * press.weight) return {};
   NodeHold hold;
@@ -28,8 +25,9 @@ std::optional<NodeHold> NodeHold::of(const Press& press, const Vec3d& velocity, 
   hold.friction_ = press.friction / size;  // of what all pairs bear, not of their sum
   hold.alike_ = size >= kAlike * press.weight;
   const double comes = -dot(hold.normal_, velocity - press.surface / press.weight);
-  if (comes > kPartingSteps * length(load))
-    hold.return_speed_ = std::max(0.0, substep.restitution * comes + dot(hold.normal_, load));
+  const Vec3d& load = substep.system.acceleration;
+  if (substep.restitution > 0 && comes > speed_of_load(dt, load))
+    hold.return_speed_ = std::max(0.0, substep.restitution * comes + dt * dot(hold.normal_, load));
   return hold;
 }
 
@@ -38,17 +36,17 @@ Vec3d NodeHold::velocity(const Vec3d& way, double dt) const {
   const Vec3d v = (way - restored_ * normal_) / dt, own = v - surface_way_ / dt;
   const double more = return_speed_ - dot(normal_, own);
   if (return_speed_ == 0 || more <= 0) return v;
-  return v + more * normal_ - no_longer(across(own, normal_), friction_ * more);
+  return v + more * normal_ - no_longer(part_across(own, normal_), friction_ * more);
 }
 
 Vec3d NodeHold::descend(const NodeDescent& node) {
   const double lack = least_ - dot(normal_, node.free);
   bears_ = lack > 0;
   if (!bears_) return node.free;
-  const Vec3d stuck = across(surface_way_, normal_) + least_ * normal_;
+  const Vec3d stuck = part_across(surface_way_, normal_) + least_ * normal_;
   const Vec3d needed = node.hessian * (stuck - node.free);  // the force, by the node's inertia [m]
   const double normal = dot(normal_, needed);
-  const Vec3d along = across(needed, normal_);
+  const Vec3d along = part_across(needed, normal_);
   if (length(along) <= friction_ * normal) return stuck;
   const Sym3 compliance = inverse(node.hessian);
   const double plain = dot(normal_, compliance * normal_);
@@ -59,7 +57,7 @@ Vec3d NodeHold::descend(const NodeDescent& node) {
 
 Vec3d NodeHold::project(const Vec3d& way) {
   const double normal = std::max(0.0, dot(normal_, held_) + least_ - dot(normal_, way));
-  const Vec3d tried = across(held_ - (way - surface_way_), normal_), before = held_;
+  const Vec3d tried = part_across(held_ - (way - surface_way_), normal_), before = held_;
   held_ = normal * normal_ + no_longer(tried, friction_ * normal);
   bears_ = normal > 0;
   return way + (held_ - before);

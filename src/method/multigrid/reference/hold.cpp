@@ -19,7 +19,7 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
   // What bears has its load in the force that it bore: its residual reads its neighbours' speeds.
   const double load = bears ? kept.normal : -dot(node.load, hold.normal_);
   if (!(node.inertia * hold.lack_ + load > 0)) return {};
-  const Vec3d turned = hold.across(kept.along);  // with the obstacle's surface
+  const Vec3d turned = part_across(kept.along, hold.normal_);  // with the obstacle's surface
   hold.kept_ = {kept.normal, length(turned) > 0 ? length(kept.along) / length(turned) * turned : Vec3d{},
                 kept.under_cloth};
   const double inertia = std::min(press.weight, 1.0) * node.inertia;
@@ -33,7 +33,7 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
 }
 
 Vec3d Hold::reach(const Vec3d& way) const {
-  return kept_.along - slip_stiffness_ * across(way - surface_way_);
+  return kept_.along - slip_stiffness_ * part_across(way - surface_way_, normal_);
 }
 
 Vec3d Hold::force() const {
@@ -61,7 +61,7 @@ Hold::End Hold::end(const Vec3d& unknown) const {
   const Vec3d moved = way - surface_way_ - restored_ * normal_;
   const Vec3d freed = no_longer(node_.dt / node_.mass * more, kMostFreed / node_.dt * length(moved));
   // Under cloth no force was kept: friction has not acted yet, and stops the way as well.
-  const Vec3d stopped = kept_.under_cloth ? node_.dt * across(freed) : Vec3d{};
+  const Vec3d stopped = kept_.under_cloth ? node_.dt * part_across(freed, normal_) : Vec3d{};
   // What stops a node that nothing else holds, beyond what it has borne: a blow, and it is over.
   const double alone = stiffness_ * node_.inertia / (stiffness_ + node_.inertia);
   const double blow = alone * std::max(0.0, lack_ + dot(normal_, node_.start - node_.ahead));

@@ -51,7 +51,6 @@ class Hold {
   End end(const Vec3d& unknown) const;
 
  private:
-  Vec3d across(const Vec3d& v) const { return v - dot(v, normal_) * normal_; }
   /// τ - k_t s, where the node has come by `way` [N].
   Vec3d reach(const Vec3d& way) const;
   HoldInputs node_;

@@ -15,7 +15,7 @@ std::optional<PairHold> PairHold::of(const NearPair& pair, const Sides& sides, d
   const Vec3d& n = pair.direction;
   hold.kept_normal_ = std::max(0.0, dot(n, pair.kept));
   const bool bears = hold.kept_normal_ > 0;
-  if (bears) hold.kept_along_ = no_longer(hold.across(pair.kept), pair.friction * hold.kept_normal_);
+  if (bears) hold.kept_along_ = no_longer(part_across(pair.kept, n), pair.friction * hold.kept_normal_);
   const double missing = pair.thickness - pair.distance, room = std::min(missing, kHoldPart * missing);
   const double gap = std::max(room, 0.0), part = bears ? std::min(1.0, kHoldRate * dt / kHoldPart) : 1.0;
   hold.restored_ = std::min(part * gap, kHoldSpeed * dt);
@@ -52,7 +52,7 @@ void PairHold::add_product(const Field& x, Field& product, const std::vector<boo
     if (!fixed[a]) way += weight * x[a];
   });
   Vec3d force = stiffness_ * dot(near_.direction, way) * near_.direction;
-  if (sticks_) force += slip_stiffness_ * across(way);
+  if (sticks_) force += slip_stiffness_ * part_across(way, near_.direction);
   for_each_node([&](std::uint32_t a, double weight) {
     if (!fixed[a]) product[a] += weight * force;
   });

@@ -52,9 +52,10 @@ class PairHold {
   }
 
  private:
-  Vec3d across(const Vec3d& v) const { return v - dot(v, near_.direction) * near_.direction; }
   /// τ - k_t s, of a relative way [N].
-  Vec3d reach(const Vec3d& way) const { return kept_along_ - slip_stiffness_ * across(way); }
+  Vec3d reach(const Vec3d& way) const {
+    return kept_along_ - slip_stiffness_ * part_across(way, near_.direction);
+  }
   /// The part of friction that the residual gets [N].
   Vec3d applied() const;
 
