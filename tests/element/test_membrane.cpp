@@ -213,8 +213,10 @@ TEST_CASE("the blocks for solvers are positive semidefinite in 10,000 random sta
     double worst = 0;
     for (int sample = 0; sample < 10000; ++sample) {
       const State s(random, 2);  // turned over, crushed, and stretched threefold
+      const Axes way = deformation(s.rest, s.velocity);
       for (const Hessian& h :
-           {positive_hessian(law, s.deformation()), damping_hessian(law, s.deformation())}) {
+           {positive_hessian(law, s.deformation()), held_hessian(law, s.deformation(), way),
+            damping_hessian(law, s.deformation())}) {
         const Matrix9 k = dense(blocks(s.rest, h));
         const Eigen::SelfAdjointEigenSolver<Matrix9> eigen(k, Eigen::EigenvaluesOnly);
         worst = std::min(worst, eigen.eigenvalues()(0) / k.trace());
@@ -239,6 +241,49 @@ TEST_CASE("where the Hessian is positive the blocks for solvers are the Hessian"
   const State s(random, 0);
   const Matrix9 exact = dense(blocks(s.rest, hessian(law, f)));
   CHECK((dense(blocks(s.rest, positive_hessian(law, f))) - exact).norm() < 1e-13 * exact.norm());
+}
+
+TEST_CASE("across what presses a step's matrix resists by as much as pressure gives way there") {
+  for (const Energy kind : kEnergies) {
+    const Law law = law_of(kind);
+    for (const double pressed : {0.995, 0.9}) {
+      // Freely wide: all of the stress is along the warp.
+      const Moduli moduli = moduli_of(kind);
+      Axes f{{pressed, 0, 0}, {0, 1 + moduli.poisson * (1 - pressed), 0}};
+      for (int step = 0; step < 20; ++step) f.weft.y -= stress(law, f).weft.y / hessian(law, f).weft.y.y;
+      const double pulls = stress(law, f).warp.x;
+      REQUIRE(pulls < 0);
+      const Vec3d out{0, 0, 1};
+      const double gives = dot(out, hessian(law, f).warp * out);  // by a rotation about the weft
+      CHECK(gives == doctest::Approx(pulls / pressed).epsilon(1e-6));
+      CHECK(dot(out, held_hessian(law, f, {}).warp * out) == doctest::Approx(-gives).epsilon(1e-6));
+      CHECK(std::abs(dot(out, positive_hessian(law, f).warp * out)) < 1e-6 * moduli.warp);
+
+      // A way that presses further is resisted by the pressure at its end, and one to twice as much of a pull by that.
+      const Axes onward{{pressed - 1, 0, 0}, {0, f.weft.y - 1, 0}};
+      const double then = dot(out, held_hessian(law, f, onward).warp * out);
+      CHECK(then == doctest::Approx(-2 * gives).epsilon(pressed == 0.995 ? 0.02 : 0.35));
+      const Axes back{-3 * onward.warp, -3 * onward.weft};
+      CHECK(dot(out, held_hessian(law, f, back).warp * out) ==
+            doctest::Approx(-2 * gives).epsilon(pressed == 0.995 ? 0.05 : 0.7));
+    }
+  }
+}
+
+TEST_CASE("where nothing presses, here or where a step leads, its matrix is that of any step") {
+  Random random(8);
+  for (const Energy kind : kEnergies)
+    for (int sample = 0; sample < 50; ++sample) {
+      const Law law = law_of(kind);
+      const Axes pulled{{1.2 + random.uniform(0, 0.1), 0.02, 0}, {-0.02, 1.2 + random.uniform(0, 0.1), 0}};
+      const Axes way{random_vector(random, 0.01), random_vector(random, 0.01)};
+      const Hessian made = held_hessian(law, pulled, way), expected = positive_hessian(law, pulled);
+      for (const Vec3d& v : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+        CHECK(length(made.warp * v - expected.warp * v) < 1e-9);
+        CHECK(length(made.mixed * v - expected.mixed * v) < 1e-9);
+        CHECK(length(made.weft * v - expected.weft * v) < 1e-9);
+      }
+    }
 }
 
 TEST_CASE("a rigid motion costs nothing, and a membrane's forces neither push nor turn the cloth") {

@@ -335,14 +335,51 @@ TEST_CASE(
       Mat3 f = random_matrix(random, std::pow(10.0, random.uniform(-3, 1)));
       if (trial % 5 == 0) f.z = {};  // flat
       const Frame frame = frame_of(f);
-      const Hessian both = positive_hessian(law, frame) + 500 * damping_hessian(law, frame);
-      const Matrix9 made = matrix_of([&](const Mat3& way) { return times(frame, both, way); });
-      const double size = made.norm();
-      REQUIRE(std::isfinite(size));
-      CHECK((made - made.transpose()).norm() < 1e-12 * size);
-      CHECK(Eigen::SelfAdjointEigenSolver<Matrix9>(0.5 * (made + made.transpose())).eigenvalues()(0) >
-            -1e-12 * size);
+      const Hessian damping = 500 * damping_hessian(law, frame);
+      for (const Hessian& both : {positive_hessian(law, frame) + damping,
+                                  held_hessian(law, frame, random_matrix(random, 1)) + damping}) {
+        const Matrix9 made = matrix_of([&](const Mat3& way) { return times(frame, both, way); });
+        const double size = made.norm();
+        REQUIRE(std::isfinite(size));
+        CHECK((made - made.transpose()).norm() < 1e-12 * size);
+        CHECK(Eigen::SelfAdjointEigenSolver<Matrix9>(0.5 * (made + made.transpose())).eigenvalues()(0) >
+              -1e-12 * size);
+      }
     }
+}
+
+TEST_CASE(
+    "across what presses a step's matrix resists by as much as pressure gives way there, by differences") {
+  Random random(37);
+  for (const Energy energy : kEnergies) {
+    const Law law = law_of(energy);
+    int held = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      // A rod along an axis of its own, pressed and as wide as it likes, and turned.
+      const double pressed = random.uniform(0.85, 0.99);
+      double wide = 1;
+      for (int step = 0; step < 60; ++step)
+        wide -= stress(law, {{pressed, 0, 0}, {0, wide, 0}, {0, 0, wide}}).y.y / (10 * kYoung);
+      const Mat3 turned = nearest_rotation(random_matrix(random, 1));
+      const Mat3 f = turned * Mat3{{pressed, 0, 0}, {0, wide, 0}, {0, 0, wide}};
+      const Frame frame = frame_of(f);
+      const Vec3d along{1, 0, 0}, aside{0, std::cos(trial), std::sin(trial)};
+      // The axis turns to the side, and the side back: F changes by a rotation times the sum of both stretches.
+      const Mat3 turn = turned * (Mat3::outer(aside, along) + -1.0 * Mat3::outer(along, aside));
+      const double h = 1e-5;
+      const Mat3 gives = 1 / (2 * h) * (stress(law, f + h * turn) + -1.0 * stress(law, f + -h * turn));
+      const double slope = contraction(turn, gives);
+      const double made = contraction(turn, times(frame, held_hessian(law, frame, {}), turn));
+      if (slope < -1e-3 * kYoung) ++held;
+      CHECK(made == doctest::Approx(std::abs(slope)).epsilon(1e-4));
+      // Where a way takes the pressure off and pulls as much, that holds as well.
+      const Mat3 pull =
+          turned * Mat3{{2 * (1 - pressed), 0, 0}, {0, 2 * (1 - wide), 0}, {0, 0, 2 * (1 - wide)}};
+      const double then = contraction(turn, times(frame, held_hessian(law, frame, pull), turn));
+      CHECK(then == doctest::Approx(std::abs(slope)).epsilon(0.5));
+    }
+    CHECK(held > 150);
+  }
 }
 
 TEST_CASE(

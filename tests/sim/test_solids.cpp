@@ -168,6 +168,40 @@ TEST_CASE("two blocks that meet in flight keep their momentum, and neither enter
   }
 }
 
+TEST_CASE("stiff plates and rods that fall on a ball and a floor give that no more energy than they had") {
+  GpuFixture fixture;
+  const std::string plate = R"("block": [12, 1, 12], "size": [0.5, 0.02, 0.5], "density": 100, "friction": 0,
+      "transform": {"rotate": [0.02, 0, 0.03, 0.99935], "translate": [0.01, 0.15, 0.02]})",
+                    rod = R"("block": [20, 1, 1], "size": [0.6, 0.03, 0.03], "density": 100, "friction": 0,
+      "transform": {"rotate": [0.02, 0, 0.7546, 0.6559], "translate": [0.02, 0.43, 0.01]})";
+  struct Falling {
+    std::string shape, material;
+    double fall;  // m g h of what falls on the ball [J]
+  };
+  for (const Way& method : {kImplicit[0], kImplicit[1]})
+    for (const Falling& falling : {Falling{plate, R"("young": 1e7, "energy": "neo_hookean")", 0.25},
+                                   {plate, R"("young": 1e7, "energy": "corotated")", 0.25},
+                                   {rod, R"("young": 1e6, "energy": "neo_hookean")", 0.2}}) {
+      CAPTURE(method.name);
+      CAPTURE(falling.shape);
+      CAPTURE(falling.material);
+      auto world = world_of(
+          fixture.device(),
+          contact_scene(world_text(method, R"("bodies": [{)" + falling.shape + R"(, "material": {)" +
+                                               falling.material + R"(, "poisson": 0.4, "damping": 0}}],
+            "colliders": [{"kind": "sphere", "center": [0, 0, 0], "radius": 0.1},
+                          {"kind": "plane", "point": [0, -0.3, 0], "normal": [0, 1, 0]}])")));
+      const double begun = energy_of(*world, Moment(*world));
+      double most = begun;
+      for (int frame = 0; frame < 30; ++frame) {
+        advance(*world, 1);
+        most = std::max(most, energy_of(*world, Moment(*world)));
+      }
+      MESSAGE(method.name << ": energy at most " << (most - begun) / falling.fall << " of the fall's more");
+      CHECK(most <= begun + 0.01 * falling.fall);
+    }
+}
+
 TEST_CASE("cloth that is held at its edges carries a block, and the block nothing but the cloth") {
   GpuFixture fixture;
   for (const Way& method : kMethods) {

@@ -6,6 +6,9 @@
 namespace weft::membrane {
 namespace {
 
+/// What is crushed to less of its area is taken for as large, where stress by length would leave all bounds.
+constexpr double kLeastArea = 1e-3;
+
 Strain green_strain(const Axes& f) {
   return {{(dot(f.warp, f.warp) - 1) / 2, (dot(f.weft, f.weft) - 1) / 2, dot(f.warp, f.weft)},
           {f.warp, {}},
@@ -79,11 +82,33 @@ Sym2 positive_part(const Sym2& s) {
   return {scale * (s.xx - low), scale * s.xy, scale * (s.yy - low)};
 }
 
+bool presses(const Sym2& s) { return s.xx < 0 || s.xx * s.yy < s.xy * s.xy; }
+
+/// Its principal values without their signs, and none above `most`.
+Sym2 absolute(const Sym2& s, double most) {
+  const double middle = (s.xx + s.yy) / 2, radius = std::hypot((s.xx - s.yy) / 2, s.xy);
+  const double high = std::min(most, std::abs(middle + radius)),
+               low = std::min(most, std::abs(middle - radius));
+  const double scale = radius > 0 ? (high - low) / (2 * radius) : 0, mean = (high + low) / 2;
+  return {mean + scale * (s.xx - middle), scale * s.xy, mean + scale * (s.yy - middle)};
+}
+
+/// What holds a direction that is stressed by `now` here and `then` where a step leads, if only pressure makes it
+/// resist by its size.
+double held(double now, double then, double most) {
+  return std::min(now, then) < 0 ? std::min(std::abs(then), most) : now;
+}
+Sym2 held(const Sym2& now, const Sym2& then, double most) {
+  return presses(now) || presses(then) ? absolute(then, most) : now;
+}
+
 Hessian kronecker(const Sym2& s, const Mat3& m) { return {s.xx * m, s.xy * m, s.yy * m}; }
+
+Sym2 second_stress(const Triple& s) { return {s.warp, s.shear, s.weft}; }
 
 /// Σ σ_k ∂²ε_k/∂F² of Green's strain: S I. Clamped it is positive.
 Hessian green_geometry(const Triple& s, bool clamped) {
-  const Sym2 second{s.warp, s.shear, s.weft};
+  const Sym2 second = second_stress(s);
   return kronecker(clamped ? positive_part(second) : second, Mat3::identity(1));
 }
 
@@ -101,13 +126,16 @@ Hessian cosine_curvature(const Yarns& y) {
           own(y.weft, y.warp, q, y.weft_stretch)};
 }
 
-/// Clamped: tension holds yarns straight; pressure and shear would make it indefinite.
+/// Yarns with this tension are held straight.
+Hessian straightening(const Yarns& y, double warp, double weft) {
+  return {warp / y.warp_stretch * across(y.warp), {}, weft / y.weft_stretch * across(y.weft)};
+}
+
+/// Clamped: pressure and shear would make it indefinite.
 Hessian yarn_geometry(const Axes& f, const Triple& s, bool clamped) {
   const Yarns y = yarns_of(f);
-  const double warp = clamped ? std::max(0.0, s.warp) : s.warp,
-               weft = clamped ? std::max(0.0, s.weft) : s.weft;
-  const Hessian lengths{warp / y.warp_stretch * across(y.warp), {}, weft / y.weft_stretch * across(y.weft)};
-  return clamped ? lengths : lengths + s.shear * cosine_curvature(y);
+  if (clamped) return straightening(y, std::max(0.0, s.warp), std::max(0.0, s.weft));
+  return straightening(y, s.warp, s.weft) + s.shear * cosine_curvature(y);
 }
 
 /// Stable neo-Hookean: µ/2 (tr FᵀF - 2) - µ (J - 1) + λ/2 (J - 1)², where J is the area by that at rest. Equation 5.
@@ -137,22 +165,49 @@ Axes neo_hookean_stress(const Stiffness& c, const Axes& f) {
   return {n.mu * f.warp + n.s * n.slope.warp, n.mu * f.weft + n.s * n.slope.weft};
 }
 
+/// Across the plane: µ I + s J (FᵀF)⁻¹, which is the second Piola-Kirchhoff stress.
+Sym2 across_plane(const NeoHookean& n, const Axes& f) {
+  const double by_area = n.s / n.area;
+  return {n.mu + by_area * dot(f.weft, f.weft), -by_area * dot(f.warp, f.weft),
+          n.mu + by_area * dot(f.warp, f.warp)};
+}
+/// The same of a stress by F, (FᵀF)⁻¹ FᵀP.
+Sym2 across_plane(const NeoHookean& n, const Axes& f, const Axes& stress) {
+  const double area = std::max(n.area, kLeastArea), scale = 1 / (area * area);
+  const double a = dot(f.warp, f.warp), b = dot(f.warp, f.weft), c = dot(f.weft, f.weft);
+  const double first = dot(f.warp, stress.warp), last = dot(f.weft, stress.weft);
+  const double over = dot(f.warp, stress.weft), under = dot(f.weft, stress.warp);
+  return {scale * (c * first - b * under), scale * (c * over - b * last + a * under - b * first) / 2,
+          scale * (a * last - b * over)};
+}
+
+Hessian neo_hookean_parts(const NeoHookean& n, double keeps, double turns, const Sym2& out) {
+  const Hessian plane{(keeps + turns) / 2 * across(n.normal), (turns - keeps) / 2 * Mat3::cross(n.normal),
+                      (keeps + turns) / 2 * across(n.normal)};
+  return n.lambda * product(n.slope, n.slope) + plane + kronecker(out, Mat3::outer(n.normal, n.normal));
+}
+
 /// µ I + s J'' falls into parts that know nothing of each other: in the plane the changes of F that keep angles
 /// (J'' = 1) and those that turn them round (-1), across it the 2 x 2 matrix J (FᵀF)⁻¹. Each is clamped on its own.
 Hessian neo_hookean_hessian(const Stiffness& c, const Axes& f, bool clamped) {
   const NeoHookean n(c, f);
-  const double by_area = n.s / n.area;
-  Sym2 out{n.mu + by_area * dot(f.weft, f.weft), -by_area * dot(f.warp, f.weft),
-           n.mu + by_area * dot(f.warp, f.warp)};
-  double keeps = n.mu + n.s, turns = n.mu - n.s;
-  if (clamped) {
-    out = positive_part(out);
-    keeps = std::max(0.0, keeps);
-    turns = std::max(0.0, turns);
-  }
-  const Hessian plane{(keeps + turns) / 2 * across(n.normal), (turns - keeps) / 2 * Mat3::cross(n.normal),
-                      (keeps + turns) / 2 * across(n.normal)};
-  return n.lambda * product(n.slope, n.slope) + plane + kronecker(out, Mat3::outer(n.normal, n.normal));
+  const double keeps = n.mu + n.s, turns = n.mu - n.s;
+  const Sym2 out = across_plane(n, f);
+  if (!clamped) return neo_hookean_parts(n, keeps, turns, out);
+  return neo_hookean_parts(n, std::max(0.0, keeps), std::max(0.0, turns), positive_part(out));
+}
+
+Axes times(const Hessian& h, const Axes& f) {
+  return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
+}
+
+Hessian held_neo_hookean(const Stiffness& c, const Axes& f, const Axes& way) {
+  const NeoHookean n(c, f);
+  const Axes stress = neo_hookean_stress(c, f), more = times(neo_hookean_hessian(c, f, true), way);
+  const Sym2 out = across_plane(n, f, {stress.warp + more.warp, stress.weft + more.weft});
+  const double then = n.s + n.lambda * dot(n.slope, way), most = n.mu + n.lambda;
+  return neo_hookean_parts(n, held(n.mu + n.s, n.mu + then, most), std::max(0.0, n.mu - n.s),
+                           held(across_plane(n, f), out, most));
 }
 
 /// Of Green's or yarns' energy, what is left without stress; clamped it takes pressed axes for as long as at rest.
@@ -197,6 +252,22 @@ Axes stress(const Law& law, const Axes& f) {
 
 Hessian hessian(const Law& law, const Axes& f) { return hessian_of(law, f, false); }
 Hessian positive_hessian(const Law& law, const Axes& f) { return hessian_of(law, f, true); }
+
+Hessian held_hessian(const Law& law, const Axes& f, const Axes& way) {
+  if (law.energy == Energy::NeoHookean) return held_neo_hookean(law.stiffness, f, way);
+  const Strain e = strain_of(law.energy, f);
+  const Triple more{dot(e.warp, way), dot(e.weft, way), dot(e.shear, way)};
+  const Triple now = law.stiffness * e.value,
+               then = law.stiffness *
+                      Triple{e.value.warp + more.warp, e.value.weft + more.weft, e.value.shear + more.shear};
+  const Hessian stiff = stiff_part(law, f, e, true);
+  const double warp = law.stiffness.warp, weft = law.stiffness.weft;
+  if (law.energy == Energy::Yarn)
+    return stiff +
+           straightening(yarns_of(f), held(now.warp, then.warp, warp), held(now.weft, then.weft, weft));
+  return stiff +
+         kronecker(held(second_stress(now), second_stress(then), std::max(warp, weft)), Mat3::identity(1));
+}
 
 Axes damping_stress(const Law& law, const Axes& f, const Axes& rate) {
   const Strain e = strain_of(law.energy, f);

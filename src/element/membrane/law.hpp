@@ -59,6 +59,9 @@ Axes stress(const Law& law, const Axes& f);
 Hessian hessian(const Law& law, const Axes& f);
 /// The same without what could make it indefinite, in closed form. Equations 7 to 9.
 Hessian positive_hessian(const Law& law, const Axes& f);
+/// That of a step that first leads F by `way`: what presses here, or by this Hessian there, resists being turned by the
+/// force that it has there, as if it pulled. Equations 7a to 9a.
+Hessian held_hessian(const Law& law, const Axes& f, const Axes& way);
 
 /// The stress that damping adds where F changes at a rate [N/m], and its derivative by that rate [N·s/m], which is
 /// never indefinite. Equation 10.

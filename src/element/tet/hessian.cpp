@@ -19,10 +19,8 @@ Square<3> positive_part(const Square<3>& a) {
   return square_of(axes * (kept * transposed(axes)));
 }
 
-/// What resists where two axes turn against each other, and where both shear.
+/// What resists where two axes turn against each other, and where both shear; neither is negative.
 void set_axes(Hessian& made, std::size_t p, std::size_t q, double twist, double shear) {
-  twist = std::max(twist, 0.0);
-  shear = std::max(shear, 0.0);
   made.straight[p][q] = made.straight[q][p] = (shear + twist) / 2;
   made.crossed[p][q] = made.crossed[q][p] = (shear - twist) / 2;
 }
@@ -41,7 +39,7 @@ Hessian neo_hookean(const Law& law, const std::array<double, 3>& s) {
     made.stretch[k][k] += bulk * across * across;
     const double both = bulk * (s[q] * s[k]) * (s[k] * s[p]) + pressure * s[k];
     made.stretch[p][q] = made.stretch[q][p] = both;
-    set_axes(made, p, q, law.mu + pressure * s[k], law.mu - pressure * s[k]);
+    set_axes(made, p, q, std::max(0.0, law.mu + pressure * s[k]), std::max(0.0, law.mu - pressure * s[k]));
   });
   made.stretch = positive_part(made.stretch);
   return made;
@@ -53,7 +51,20 @@ Hessian corotated(const Law& law, const std::array<double, 3>& s) {
   for (std::size_t p = 0; p < 3; ++p)
     for (std::size_t q = 0; q < 3; ++q) made.stretch[p][q] = law.lambda + (p == q ? 2 * law.mu : 0);
   for_each_axis([&](std::size_t, std::size_t p, std::size_t q) {
-    set_axes(made, p, q, 2 * law.mu + 2 * turning / std::max(s[p] + s[q], kLeastSum), 2 * law.mu);
+    const double twist = 2 * law.mu + 2 * turning / std::max(s[p] + s[q], kLeastSum);
+    set_axes(made, p, q, std::max(0.0, twist), 2 * law.mu);
+  });
+  return made;
+}
+
+/// How the energy grows with each stretch [Pa].
+std::array<double, 3> principal_stress(const Law& law, const std::array<double, 3>& s) {
+  std::array<double, 3> made{};
+  const double pressure = (law.lambda + law.mu) * (s[0] * s[1] * s[2] - 1) - law.mu;
+  const double grown = law.lambda * (s[0] + s[1] + s[2] - 3);
+  for_each_axis([&](std::size_t k, std::size_t p, std::size_t q) {
+    made[k] = law.energy == Energy::NeoHookean ? law.mu * s[k] + pressure * s[p] * s[q]
+                                               : 2 * law.mu * (s[k] - 1) + grown;
   });
   return made;
 }
@@ -88,6 +99,22 @@ Hessian operator*(double s, const Hessian& a) {
 Hessian positive_hessian(const Law& law, const Frame& frame) {
   return law.energy == Energy::NeoHookean ? neo_hookean(law, frame.stretches)
                                           : corotated(law, frame.stretches);
+}
+
+Hessian held_hessian(const Law& law, const Frame& frame, const Mat3& way) {
+  Hessian made = positive_hessian(law, frame);
+  const std::array<double, 3>& s = frame.stretches;
+  const std::array<double, 3> now = principal_stress(law, s);
+  const Square<3> led = square_of(transposed(frame.u) * (way * frame.v));
+  std::array<double, 3> then = now;
+  for (std::size_t p = 0; p < 3; ++p)
+    for (std::size_t q = 0; q < 3; ++q) then[p] += made.stretch[p][q] * led[q][q];
+  for_each_axis([&](std::size_t, std::size_t p, std::size_t q) {
+    if (std::min(now[p] + now[q], then[p] + then[q]) >= 0) return;
+    const double twist = std::abs(then[p] + then[q]) / std::max(s[p] + s[q], kLeastSum);
+    set_axes(made, p, q, std::min(twist, 2 * law.mu + law.lambda), made.straight[p][q] + made.crossed[p][q]);
+  });
+  return made;
 }
 
 Hessian damping_hessian(const Law& law, const Frame& frame) {

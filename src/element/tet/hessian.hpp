@@ -24,6 +24,9 @@ struct Hessian {
 };
 /// Of the energy. Its eigenvalues that are negative are 0 here (Smith, de Goes and Kim 2019).
 Hessian positive_hessian(const Law& law, const Frame& frame);
+/// That of a step that first leads F by `way`: where two axes are pressed, here or by this Hessian there, they resist
+/// being turned by the stress that they have there, as if it pulled. Equation 5a.
+Hessian held_hessian(const Law& law, const Frame& frame, const Mat3& way);
 /// Of damping, by the rate of F [Pa·s].
 Hessian damping_hessian(const Law& law, const Frame& frame);
 

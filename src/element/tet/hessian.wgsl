@@ -33,12 +33,10 @@ fn without_negative(symmetric : mat3x3f) -> mat3x3f {
          outer_product(value.z * v[2], v[2]);
 }
 
-// By what resists where two axes turn against each other, and where both shear.
+// By what resists where two axes turn against each other, and where both shear; neither is negative.
 fn hessian_by_axes(stretch : mat3x3f, twist : vec3f, shear : vec3f) -> TetHessian {
-  let t = max(twist, vec3f(0.0));
-  let s = max(shear, vec3f(0.0));
-  let straight = 0.5 * (s + t);
-  return TetHessian(stretch, straight.zxy, straight.zxy, 0.5 * (s - t));
+  let straight = 0.5 * (shear + twist);
+  return TetHessian(stretch, straight.zxy, straight.zxy, 0.5 * (shear - twist));
 }
 
 fn neo_hookean_hessian(law : SolidLaw, s : vec3f) -> TetHessian {
@@ -48,7 +46,8 @@ fn neo_hookean_hessian(law : SolidLaw, s : vec3f) -> TetHessian {
   let both = bulk * (across.yzx * across.zxy) + pressure * s;
   let own = vec3f(law.mu) + bulk * (across * across);
   let stretch = mat3x3f(own.x, both.z, both.y, both.z, own.y, both.x, both.y, both.x, own.z);
-  return hessian_by_axes(without_negative(stretch), vec3f(law.mu) + pressure * s, vec3f(law.mu) - pressure * s);
+  return hessian_by_axes(without_negative(stretch), max(vec3f(0.0), law.mu + pressure * s),
+                         max(vec3f(0.0), law.mu - pressure * s));
 }
 
 const kLeastSum = 0.1;  // mirror: src/element/tet/hessian.cpp
@@ -58,12 +57,37 @@ fn corotated_hessian(law : SolidLaw, s : vec3f) -> TetHessian {
   let own = 2.0 * law.mu + law.lambda;
   let stretch = mat3x3f(own, law.lambda, law.lambda, law.lambda, own, law.lambda, law.lambda, law.lambda, own);
   let sums = max(s.yzx + s.zxy, vec3f(kLeastSum));
-  return hessian_by_axes(stretch, vec3f(2.0 * law.mu) + 2.0 * turning / sums, vec3f(2.0 * law.mu));
+  return hessian_by_axes(stretch, max(vec3f(0.0), 2.0 * law.mu + 2.0 * turning / sums), vec3f(2.0 * law.mu));
 }
 
 fn tet_hessian(law : SolidLaw, frame : TetFrame) -> TetHessian {
   if (law.energy == kTetNeoHookean) { return neo_hookean_hessian(law, frame.stretches); }
   return corotated_hessian(law, frame.stretches);
+}
+
+// How the energy grows with each stretch, Pa.
+fn principal_stress(law : SolidLaw, s : vec3f) -> vec3f {
+  if (law.energy == kTetNeoHookean) {
+    let pressure = (law.lambda + law.mu) * (s.x * s.y * s.z - 1.0) - law.mu;
+    return law.mu * s + pressure * (s.yzx * s.zxy);
+  }
+  return 2.0 * law.mu * (s - vec3f(1.0)) + law.lambda * (s.x + s.y + s.z - 3.0);
+}
+
+// tet_hessian of a step that first leads F by `way`: where two axes are pressed, here or by `positive` there, they
+// resist being turned by the stress that they have there, as if it pulled.
+fn held_tet_hessian(law : SolidLaw, frame : TetFrame, positive : TetHessian, way : mat3x3f) -> TetHessian {
+  let s = frame.stretches;
+  let stress = principal_stress(law, s);
+  let led = vec3f(dot(frame.u[0], way * frame.v[0]), dot(frame.u[1], way * frame.v[1]),
+                  dot(frame.u[2], way * frame.v[2]));
+  let led_stress = stress + positive.stretch * led;
+  let now = stress.yzx + stress.zxy;
+  let then = led_stress.yzx + led_stress.zxy;
+  let twist = min(abs(then) / max(s.yzx + s.zxy, vec3f(kLeastSum)), vec3f(2.0 * law.mu + law.lambda));
+  let straight = positive.onward.yzx;
+  return hessian_by_axes(positive.stretch, select(straight - positive.crossed, twist, min(now, then) < vec3f(0.0)),
+                         straight + positive.crossed);
 }
 
 // What damping adds by the rate of F, Pa·s.

@@ -53,7 +53,7 @@ fn finish_pressed(among_all : u32, solution : vec3f) {
   let inertia = place[among_all].w;
   let stiffness = dot(hold.xyz, hold.xyz) + hold.w;
   let n = hold.xyz / length(hold.xyz);
-  let grip = Grip(n, turned(kept.along, n), stiffness / kHoldStiffness, surface.xyz, force.y);
+  let grip = Grip(n, turned(kept.along, n), force.w, surface.xyz, force.y);
   let pressed = force.x - stiffness * dot(n, solution);
   let reached = reach_of(grip, way);
   let borne = max(0.0, pressed - inertia * surface.w);

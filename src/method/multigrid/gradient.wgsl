@@ -69,7 +69,8 @@ fn gradient(@builtin(global_invocation_id) id : vec3u) {
   var residual = vectors[vector_at(level, kResidual, node)].xyz + pulls - bending_product(level, kFirst, i, j, node);
   if (kAirPushes) { diagonal = sum_of(diagonal, air_block(level, node)); }
   if (kHolds) {
-    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, residual, vectors[vector_at(level, kWay, node)]);
+    let hold = hold_at_obstacles(whole, grid.first_vertex, here.w, diagonal, residual,
+                                 vectors[vector_at(level, kWay, node)]);
     residual += hold.force;
     diagonal = sum_of(diagonal, hold.block);
   }

@@ -15,7 +15,7 @@ fn hold_product(node : u32, x : vec3f) -> vec3f {
 }
 fn is_pressed(node : u32) -> bool { return kHolds && any(holds[node] != vec4f(0.0)); }
 
-// The way of the obstacle's surface, m, and how far the node is to be restored, m; then λ + k g, N, μ, and 1 where all
-// that presses the node has about one direction.
+// The way of the obstacle's surface, m, and how far the node is to be restored, m; then λ + k g, N, μ, 1 where all
+// that presses the node has about one direction, and k_t, N/m.
 fn hold_way_at(node : u32) -> u32 { return arrayLength(&holds) / 3u + node; }
 fn hold_force_at(node : u32) -> u32 { return arrayLength(&holds) / 3u * 2u + node; }

@@ -4,6 +4,8 @@
 #include "method/multigrid/hold_force.wgsl"
 #include "state/step.wgsl"
 
+override kBody : bool = false;  // it has a volume: what it weighs behind a node is held by that node
+
 fn let_go(node : u32, vertex : u32) {
   holds[node] = vec4f(0.0);
   keep_hold_force(vertex, HoldForce(vec3f(0.0), 0.0, false));
@@ -20,10 +22,11 @@ struct Hold {
   block : Symmetric,  // N/m: its part of the matrix
 }
 
-// Where obstacles press the node: what holds it, also in `holds`. `inertia` is what that resists with, N/m; `residual`
-// is the node's without it; `start` is its kWay. In a second system the residual is what stiff springs have left, and
-// no load that would lift the node off.
-fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : vec3f, start : vec4f) -> Hold {
+// Where obstacles press the node: what holds it, also in `holds`. `inertia` is what that resists with, N/m; `diagonal`
+// and `residual` are the node's without it; `start` is its kWay. In a second system the residual is what stiff springs
+// have left, and no load that would lift the node off.
+fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, diagonal : Symmetric, residual : vec3f,
+                     start : vec4f) -> Hold {
   let none = Hold(vec3f(0.0), zero_matrix());
   let vertex = first_vertex + node;
   let pressed = pressed_vertex(vertex);
@@ -46,12 +49,13 @@ fn hold_at_obstacles(node : u32, first_vertex : u32, inertia : f32, residual : v
   if (inertia * lack + select(-pull, kept.normal, bears) <= 0.0) { return none; }
   keep_hold_force(vertex, kept);
   let soft = min(weight, 1.0) * inertia;
-  let stiffness = kHoldStiffness * soft;
+  var stiffness = kHoldStiffness * soft;
+  if (kBody) { stiffness *= sqrt(dot(n, times(diagonal, n)) / inertia); }
   let grip = Grip(n, turned(kept.along, n), soft, step.time.dt * pressed.surface, pressed.friction);
   let normal = kept.normal + stiffness * lack;
   holds[hold_way_at(node)] = vec4f(grip.surface_way, restored);
   let alike = size >= kAlike * weight && bears;
-  holds[hold_force_at(node)] = vec4f(normal, pressed.friction, select(0.0, 1.0, alike), 0.0);
+  holds[hold_force_at(node)] = vec4f(normal, pressed.friction, select(0.0, 1.0, alike), soft);
   let tried = reach_of(grip, start.xyz);
   let most = pressed.friction * kept.normal;
   if (length(tried) <= most) {

@@ -1,7 +1,9 @@
 // The numbers of equations 11 and 16 of docs/solvers/multigrid.md. Mirror: contact/rules/contact_law.hpp,
 // method/multigrid/reference/hold.hpp and pair_hold.hpp.
 #include "contact/proximity/hold_rule.wgsl"
-const kHoldStiffness = 30.0;  // along the normal, of the inertia of what an obstacle holds; across it: 1
+// Along the normal, of the inertia of what an obstacle holds, or of a body's node the geometric mean of that and of its
+// block of the matrix; across it, of the inertia: 1.
+const kHoldStiffness = 30.0;
 const kPairStiffness = 2.0;   // the same of a pair of one cloth
 // What the first system leaves of such a pair's gap, or thickness: with less, the second holds it by the stiffness of
 // its cloth.

@@ -217,6 +217,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
   using K = MeshKernels;
   const gpu::Constant general{"kGeneral", of_springs ? 0.0 : 1.0};
   const gpu::Constant part{"kDiagonalPart", of_springs ? 1.0 : multigrid::kElementDiagonalPart};
+  const gpu::Constant body{"kBody", kind == CycleKind::Tets ? 1.0 : 0.0};
   const gpu::Constant taps{"kTaps", static_cast<double>(multigrid::taps_of(kind == CycleKind::Tets))};
   const Row<K> table[] = {
       {&K::galerkin, "mesh_galerkin", size, {general, part}},
@@ -237,7 +238,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
   const Row<K> gradient_of_springs[] = {
       {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), lead(inputs)}}};
   const Row<K> gradient_of_elements[] = {
-      {&K::gradient, "element_gradient", size, {holds(inputs), air(inputs), general, part}}};
+      {&K::gradient, "element_gradient", size, {holds(inputs), air(inputs), general, part, body}}};
   WEFT_CHECK(create_all<K>(inputs.device, of_springs ? gradient_of_springs : gradient_of_elements, made));
   using F = FabricKernels;
   const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {lead(inputs)}},

@@ -63,6 +63,8 @@ fn membrane_terms(@builtin(global_invocation_id) id : vec3u) {
   forces[3u * triangle + 2u] = vec4f(found.third, 0.0);
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
-  let damped_by_place = hessian_sum(elastic, hessian_scaled(rate, damping_hessian(fabric.law, at)));
+  var held = elastic;
+  if (!kLeads) { held = held_membrane_hessian(fabric.law, at, way); }
+  let damped_by_place = hessian_sum(held, hessian_scaled(rate, damping_hessian(fabric.law, at)));
   store_term(triangle, hessian_scaled(area_of(slope), damped_by_place));
 }

@@ -17,7 +17,8 @@ fn end_row(level : Level, node : u32, inertia : f32, entry : u32, without : Symm
   } else {
     if (kAirPushes) { diagonal = sum_of(diagonal, air_block(level, node)); }
     if (kHolds) {
-      let hold = hold_at_obstacles(node, nodes.first_vertex, inertia, residual, vectors[vector_at(level, kWay, node)]);
+      let hold = hold_at_obstacles(node, nodes.first_vertex, inertia, diagonal, residual,
+                                   vectors[vector_at(level, kWay, node)]);
       residual += hold.force;
       diagonal = sum_of(diagonal, hold.block);
     }

@@ -65,6 +65,8 @@ fn solid_terms(@builtin(global_invocation_id) id : vec3u) {
   forces[4u * tet + 3u] = own.d;
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
-  let damped = tet_hessian_sum(elastic, tet_hessian_scaled(rate, tet_damping_hessian(law, frame)));
+  var held = elastic;
+  if (!kLeads) { held = held_tet_hessian(law, frame, elastic, way); }
+  let damped = tet_hessian_sum(held, tet_hessian_scaled(rate, tet_damping_hessian(law, frame)));
   store_tet_term(tet, frame, rest, tet_hessian_scaled(rest.volume, damped));
 }

@@ -32,7 +32,8 @@ membrane::Blocks add_membrane(MeshStep& step, const membrane::Membranes& all, st
   const Axes stress = membrane::stress(law, at) + elastic * ((1 - lead) * way) + damping;
   const membrane::Corners forces = membrane::forces(all.rests[number], stress);
   for (std::size_t i = 0; i < 3; ++i) step.residual[all.triangles[number][i]] += forces[i];
-  return membrane::blocks(all.rests[number], elastic + rate * membrane::damping_hessian(law, at));
+  const Hessian held = step.leads ? elastic : membrane::held_hessian(law, at, way);
+  return membrane::blocks(all.rests[number], held + rate * membrane::damping_hessian(law, at));
 }
 
 /// Of an edge beyond its strain limit: its force, and its part of the matrix at each of its ends.

@@ -1,6 +1,7 @@
 #include "method/multigrid/reference/hold.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/rules/contact_law.hpp"
 
@@ -24,6 +25,8 @@ std::optional<Hold> Hold::of(const Press& press, const HoldForce& kept, const Ho
                 kept.under_cloth};
   const double inertia = std::min(press.weight, 1.0) * node.inertia;
   hold.stiffness_ = kHoldStiffness * inertia;
+  if (node.behind)
+    hold.stiffness_ *= std::sqrt(dot(hold.normal_, *node.behind * hold.normal_) / node.inertia);
   hold.slip_stiffness_ = kSlipStiffness * inertia;
   hold.friction_ = press.friction / press.weight;
   hold.surface_way_ = node.dt / press.weight * press.surface;

@@ -22,12 +22,13 @@ struct HoldForce {
 
 /// A node before its system is solved.
 struct HoldInputs {
-  double inertia = 0;  // a [N/m]
-  double mass = 0;     // [kg]
-  double dt = 0;       // [s]
-  Vec3d load;          // R [N]; in a second system 0: what stiff springs have left is none
-  Vec3d start;         // s₀ [m]
-  Vec3d ahead;         // Δt times the velocity at the substep's start [m]
+  double inertia = 0;          // a [N/m]
+  std::optional<Sym3> behind;  // of a body's node: its block of the matrix, without the hold [N/m]
+  double mass = 0;             // [kg]
+  double dt = 0;               // [s]
+  Vec3d load;                  // R [N]; in a second system 0: what stiff springs have left is none
+  Vec3d start;                 // s₀ [m]
+  Vec3d ahead;                 // Δt times the velocity at the substep's start [m]
 };
 
 /// Equation (11) for one node.

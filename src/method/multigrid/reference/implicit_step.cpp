@@ -74,17 +74,17 @@ void add_held_bending(GridOperator& source) {
 }
 
 /// Where obstacles press nodes of a cloth: add(node, block) puts what holds one into the matrix, and the residual gets
-/// its force.
+/// its force. `behind`: of a body, the diagonal of the matrix.
 template <class Add>
 void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::span<const HoldForce> kept,
-                       const MassSpringSystem& system, std::size_t first, double dt, bool again,
-                       const Add& add) {
+                       std::span<const Sym3> behind, const MassSpringSystem& system, std::size_t first,
+                       double dt, bool again, const Add& add) {
   for (std::size_t a = 0; a < presses.size(); ++a) {
     if (step.fixed[a]) continue;
-    step.holds[a] =
-        Hold::of(presses[a], kept[a],
-                 {step.inertia[a], 1 / system.inverse_mass[first + a], dt, again ? Vec3d{} : step.residual[a],
-                  step.way[a] + step.start[a], dt * system.velocity[first + a]});
+    step.holds[a] = Hold::of(presses[a], kept[a],
+                             {step.inertia[a], behind.empty() ? std::nullopt : std::optional(behind[a]),
+                              1 / system.inverse_mass[first + a], dt, again ? Vec3d{} : step.residual[a],
+                              step.way[a] + step.start[a], dt * system.velocity[first + a]});
     if (!step.holds[a]) continue;
     step.residual[a] += step.holds[a]->force();
     add(a, step.holds[a]->block());
@@ -273,9 +273,10 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   for (std::size_t a = 0; a < step.air.size(); ++a)
     if (!step.fixed[a]) blocks[a] += step.air[a];
   if (!presses.empty())
-    hold_at_obstacles(step, presses.subspan(cloth.first, cloth.count),
-                      std::span(hold_forces_).subspan(cloth.first), system, cloth.first, dt, !ways.empty(),
-                      [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
+    hold_at_obstacles(
+        step, presses.subspan(cloth.first, cloth.count), std::span(hold_forces_).subspan(cloth.first),
+        cloth.solid ? std::span<const Sym3>(blocks) : std::span<const Sym3>{}, system, cloth.first, dt,
+        !ways.empty(), [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
   return step;
 }
 
@@ -339,7 +340,7 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
     step.residual[a] = step.matrix.fixed[a] ? Vec3d{} : step.residual[a] - curve[a];
   if (!presses.empty())
     hold_at_obstacles(step, presses.subspan(cloth.first, count), std::span(hold_forces_).subspan(cloth.first),
-                      system, cloth.first, dt, !ways.empty(), [&](std::size_t a, const Sym3& hold) {
+                      {}, system, cloth.first, dt, !ways.empty(), [&](std::size_t a, const Sym3& hold) {
                         step.matrix.rows[a][0] += hold;
                         step.source.rows[a][0] += hold;
                       });

@@ -26,7 +26,8 @@ Term add_tet(MeshStep& step, const tet::Tets& all, std::size_t number, double ra
         tet::damping_stress(law, step.leads ? at : f + way, all.deformation(number, step.start_velocity));
   const tet::Corners forces = tet::forces(all.rests[number], stress);
   for (std::size_t k = 0; k < 4; ++k) step.residual[all.tets[number][k]] += forces[k];
-  return {frame, elastic + rate * tet::damping_hessian(law, frame)};
+  const tet::Hessian held = step.leads ? elastic : tet::held_hessian(law, frame, way);
+  return {frame, held + rate * tet::damping_hessian(law, frame)};
 }
 
 }  // namespace
