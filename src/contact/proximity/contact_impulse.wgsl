@@ -17,6 +17,7 @@
 @group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
 @group(0) @binding(7) var<storage, read_write> begun           : array<vec4f>; // contacts          N
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
+override kOwnPushTime : f32 = 1e9;  // s: as far as pairs of one cloth are pushed
 override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
 override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
 override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1
@@ -170,7 +171,9 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     let spared = select(0.0, kHeldLack, left) * contact.thickness;
     let lack = clamp(contact.thickness - spared - contact.normal.w, 0.0, contact.thickness);
     let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));
-    let apart = min(restored * lack, kPushSpeed * step.time.dt);  // equation (5a), m
+    let own = is_self_pair(contact.ids) && !is_of_two_cloths(contact);
+    let time = select(step.time.dt, min(step.time.dt, kOwnPushTime), own);
+    let apart = min(restored * lack, kPushSpeed * time);  // equation (5a), m
     let pushes = kLast != 0u && contact.solid != kUntangles && apart > 0.0;
     if (has_body(contact)) {
       let body = body_words(contact);

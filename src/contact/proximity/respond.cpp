@@ -23,7 +23,9 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
       move{"kMove", setup.balances ? 0.0 : 1.0}, heavy{"kHeavy", setup.impulses.heavy ? 1.0 : 0.0},
       rigid{"kRigid", setup.rigid ? 1.0 : 0.0}, keeps_lost{"kKeepsLost", setup.yielding.empty() ? 0.0 : 1.0};
   std::vector<Wanted> all = {
-      {made.last_impulse_, "contact/proximity/contact_impulse.wgsl", {presses, heavy, rigid}},
+      {made.last_impulse_,
+       "contact/proximity/contact_impulse.wgsl",
+       {presses, heavy, rigid, {"kOwnPushTime", setup.own_push_time}}},
       {made.respond_,
        "contact/proximity/contact_respond.wgsl",
        {move, rigid, keeps_lost, {"kDetectInterval", static_cast<double>(setup.interval)}}}};

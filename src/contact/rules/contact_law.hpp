@@ -16,6 +16,9 @@ inline constexpr double kPushPart = 0.7;
 inline constexpr double kSoftLack = 0.02;
 /// The fastest push [m/s].
 inline constexpr double kPushSpeed = 0.5;
+/// A pair of one cloth that a solver's matrix holds is pushed for no longer than so many times in which a pull crosses
+/// a triangle, so that stiff cloth gets no more energy than this many times that speed would be.
+inline constexpr double kOwnPushPulls = 10;
 /// A pair begins a substep with the force of the one before. What parts faster than by this many substeps of the
 /// load's acceleration begins with less: a blow that goes through layers would else throw them back. Eight layers
 /// that fall from 0.5 m rebounded with 30 % of their energy without this, with 4 % with it.

@@ -11,11 +11,14 @@ namespace weft {
 
 struct YieldingEdges {
   std::vector<mesh::Edge> edges;  // of all cloths, not of bodies
-  double time = 0;                // in which a pull crosses a triangle of the stiffest cloth [s]
+  double time = 0;                // pull_time() [s]
 };
 
-/// None where substeps [s] are no longer than that time: then edges give way by themselves. It is ℓ √(ρ/E): ℓ of
-/// typical_altitude(), ρ/E the least of all cloths, E the larger modulus along their threads.
+/// In which a pull crosses a triangle of the stiffest cloth [s]: ℓ √(ρ/E), ℓ of typical_altitude(), ρ/E the least of
+/// all cloths, E the larger modulus along their threads. Infinite without cloth.
+double pull_time(const Model& model);
+
+/// None where substeps [s] are no longer than pull_time(): then edges give way by themselves.
 YieldingEdges yielding_edges(const Model& model, double substep);
 
 }  // namespace weft

@@ -50,6 +50,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
                                                               : SurfaceKind::OpenMesh);
   }
   object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
+  if (solved.pairs) own_push_time_ = kOwnPushPulls * pull_time(model);
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
@@ -395,8 +396,8 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   std::vector<Vec3d> expected;
   for (std::size_t i = 0; i < nodes.position.size(); ++i)
     expected.push_back(nodes.previous[i] + dt * nodes.velocity[i]);
-  Response response = respond(near, nodes.velocity, nodes.inverse_mass, {dt, restitution_, load_, impulses_},
-                              rigid_.movables());
+  Response response = respond(near, nodes.velocity, nodes.inverse_mass,
+                              {dt, restitution_, load_, impulses_, own_push_time_}, rigid_.movables());
   kept_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (response.acts[p] && !near[p].untangles) kept_.push_back({pairs[p], response.impulses[p] / dt});

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -130,7 +131,8 @@ class Proximity {
   double restitution_;
   Vec3d load_;
   ImpulseRule impulses_;
-  std::uint32_t separations_;  // rounds
+  double own_push_time_ = std::numeric_limits<double>::infinity();  // ContactLaw [s]
+  std::uint32_t separations_;                                       // rounds
   std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex

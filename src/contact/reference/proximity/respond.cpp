@@ -101,7 +101,8 @@ double push_of(const NearPair& pair, bool left, const ContactLaw& law) {
   const double spared = left ? kHeldLack * pair.thickness : 0;
   const double lack = std::clamp(pair.thickness - spared - pair.distance, 0.0, pair.thickness);
   const double part = kPushPart * std::min(1.0, lack / (kSoftLack * pair.thickness));
-  return std::min(part * lack, kPushSpeed * law.dt);
+  const double time = pair.of_one_cloth ? std::min(law.dt, law.own_push_time) : law.dt;
+  return std::min(part * lack, kPushSpeed * time);
 }
 
 /// Whether many of the cloth's acting pairs with cloth are nearer than the thickness that they keep.

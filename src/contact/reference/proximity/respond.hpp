@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -59,6 +60,7 @@ struct ContactLaw {
   double restitution = 0;  // e
   Vec3d load;              // a: of gravity and the external force [m/s²]
   ImpulseRule impulses;
+  double own_push_time = std::numeric_limits<double>::infinity();  // of pairs of one cloth: equation (5a) [s]
 };
 
 struct Response {
