@@ -174,7 +174,7 @@ void Simulation::substep(std::uint32_t number, const sim::FramePlan::Frame& fram
   const double dt = scene_.time.frame / count;
   const double before = static_cast<double>(frame_) * count + number;  // substeps, were all frames cut alike
   const std::vector<Vec3d> previous = system_.position, velocity_before = system_.velocity;
-  if (proximity_ && number == 0) proximity_->begin_frame(scene_.time.frame);
+  if (proximity_ && number == 0) proximity_->begin_frame(scene_.time.frame, dt);
   system_.time = before * dt;  // of the wind
   // As sim::FrameSteps counts time, to the bit: it decides which substep is the first of a grab.
   set_grabs(time() + number * dt + dt);

@@ -35,7 +35,7 @@ void FrameSteps::write(gpu::Device& device, const GpuModel& model, const State& 
     const double now = frame.begin + s * step;  // the substep's forces are those at its start
     block.time = {static_cast<float>(step), s == 0 ? static_cast<float>(frame.step_ratio) : 1.0F};
     block.contact.collider_travel = static_cast<float>(frame.mover_speed * step);
-    block.contact.most_delay = static_cast<std::uint32_t>(1e6 * kMostDelay * frame_);
+    block.contact.most_delay = most_delay(frame_, step);
     set_wind(block.air, wind_, {turns(0, now), turns(1, now)});
     // a follower, as a motion, goes to where the target is at the end
     grabs.append_goals(grabs_, now + step);

@@ -127,11 +127,20 @@ TEST_CASE(
 
 TEST_CASE("what flies into something that stands loses time, and not the speed of all that flies behind it") {
   GpuFixture fixture;
-  // One vertex is pinned; all others fly along the sheet by 1.3 to 1.5 of its edges a substep. The scene has substeps
-  // of that length, or frames are cut to it, for a ball that goes past far away. At other speeds half of a frame of one
-  // substep is not enough: docs/contact.md, Limits.
+  // One vertex is pinned; all others fly along the sheet by 1.2 to 1.7 of its edges a substep. The scene has substeps
+  // of that length, one a frame, or frames are cut to it, for a ball that goes past far away.
   constexpr std::uint32_t kCorner = 65 * 33 - 1;
-  for (const auto& [speed, is_cut] : {std::pair{16.0, false}, {16.5, false}, {17.5, false}, {17.5, true}}) {
+  double lost = 0;  // s
+  for (const auto& [speed, is_cut] : {std::pair{14.0, false},
+                                      {15.0, false},
+                                      {16.0, false},
+                                      {17.0, false},
+                                      {18.0, false},
+                                      {19.0, false},
+                                      {20.0, false},
+                                      {14.0, true},
+                                      {17.0, true},
+                                      {20.0, true}}) {
     CAPTURE(speed);
     CAPTURE(is_cut);
     const double frame = is_cut ? 0.025 / 3 : 0.00625 / 3;
@@ -157,13 +166,14 @@ TEST_CASE("what flies into something that stands loses time, and not the speed o
     const double flown = (end.position[kCorner] - start.position[kCorner]).x / speed;  // s
     MESSAGE("truncated ", totals.truncated, ", slowed ", totals.slowed, " by ", totals.delay_s, " s, flown ",
             flown, " s");
-    REQUIRE(totals.delay_s > 0.0002);
+    lost += totals.delay_s;
     CHECK(flown + totals.delay_s == doctest::Approx(totals.frames * frame).epsilon(3e-4).scale(0));
     std::size_t slower = 0;
     for (const Vec3d& v : end.velocity) slower += v.x < 0.9 * speed ? 1 : 0;
     MESSAGE(slower, " vertices are slower");  // held back alone, all that fly are
     CHECK(static_cast<double>(slower) < 0.1 * static_cast<double>(end.velocity.size()));
   }
+  REQUIRE(lost > 0.005);
 }
 
 TEST_CASE("two sheets that fly into each other edge on pass through nothing") {

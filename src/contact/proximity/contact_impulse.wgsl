@@ -17,7 +17,7 @@
 @group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
 @group(0) @binding(7) var<storage, read_write> begun           : array<vec4f>; // contacts          N
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
-override kOwnPushTime : f32 = 1e9;  // s: as far as pairs of one cloth are pushed
+override kOwnPushTime : f32 = 1e9;  // s: for how long pairs of one cloth are pushed at most
 override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
 override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
 override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1

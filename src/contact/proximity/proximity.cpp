@@ -10,8 +10,6 @@
 namespace weft::contact {
 namespace {
 
-constexpr double kAnyTime = 1e9;  // longer than any substep [s]
-
 double farthest(const Model& model) {
   double most = 0;
   for (const Vec3d& p : model.rest_position)
@@ -75,13 +73,12 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   // What a rigid body gives to cloth it gets from cloth: a way that is shortened beside another would lose it.
   const YieldingEdges yielding =
       made.rigid_.any() ? YieldingEdges{} : yielding_edges(model.host, wanted.step);
-  const double own_push_time =
-      wanted.solved.pairs ? std::min(kOwnPushPulls * pull_time(model.host), kAnyTime) : kAnyTime;
   WEFT_TRY(respond,
-           Respond::create(device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                                    contact_iterations(wanted.step), lengths.self_thickness > 0,
-                                    made.presses_, wanted.solved.balances, made.rigid_.any(), edges,
-                                    yielding.edges, yielding.time, own_push_time, wanted.workgroup_size}));
+           Respond::create(device,
+                           {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                            contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
+                            wanted.solved.balances, made.rigid_.any(), edges, yielding.edges, yielding.time,
+                            own_push_time(model.host, wanted.solved.pairs), wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;

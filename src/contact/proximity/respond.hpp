@@ -32,7 +32,7 @@ class Respond {
     std::span<const LimitedEdge> edges;    // of cloth with a strain limit
     std::span<const mesh::Edge> yielding;  // beside ways that are held back; may be none
     double yielding_time = 0;              // YieldingEdges::time [s]
-    double own_push_time = 0;              // ContactLaw::own_push_time, finite [s]
+    double own_push_time = 0;              // own_push_time() [s]
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;

@@ -1,6 +1,7 @@
 // The numbers of proximity contact that follow from a scene: one rule for the GPU and for the reference.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +17,8 @@ inline constexpr double kPushPart = 0.7;
 inline constexpr double kSoftLack = 0.02;
 /// The fastest push [m/s].
 inline constexpr double kPushSpeed = 0.5;
-/// A pair of one cloth that a solver's matrix holds is pushed for no longer than so many times in which a pull crosses
-/// a triangle, so that stiff cloth gets no more energy than this many times that speed would be.
+/// A pair of one cloth that a solver's matrix holds is pushed no farther in a substep than it would go in this many
+/// pull_time(): a push stretches what hangs on the pair, and the stiffer it is the more energy that lends.
 inline constexpr double kOwnPushPulls = 10;
 /// A pair begins a substep with the force of the one before. What parts faster than by this many substeps of the
 /// load's acceleration begins with less: a blow that goes through layers would else throw them back. Eight layers
@@ -88,6 +89,12 @@ inline constexpr double kStoppedPart = 0.5;
 /// The most of a frame's time that cloth may lose where a substep ends before its time, so that nothing passes through
 /// cloth: docs/contact.md, equation (6h).
 inline constexpr double kMostDelay = 0.5;
+/// Or so much of the time of one substep, where that is more: a frame of one substep has no other to go on in.
+inline constexpr double kMostDelayOfSubstep = 15.0 / 16;
+/// What a frame of such substeps may lose [µs], of both lengths in seconds.
+constexpr std::uint32_t most_delay(double frame, double step) {
+  return static_cast<std::uint32_t>(1e6 * std::max(kMostDelay * frame, kMostDelayOfSubstep * step));
+}
 
 /// The speed at which crossings come apart: this part of the thickness in a substep, and no more
 /// than this many thicknesses per second.

@@ -13,6 +13,8 @@ namespace weft {
 
 namespace {
 
+constexpr double kAnyTime = 1e9;  // longer than any substep [s]
+
 std::vector<const Body*> cloths_of(const Model& model) {
   std::vector<const Body*> cloths;
   for (const Body& body : model.bodies)
@@ -30,6 +32,10 @@ double pull_time(const Model& model) {
     slowness = std::min(slowness, std::sqrt(density / std::max(stretch.warp, stretch.weft)));
   }
   return std::isinf(slowness) ? slowness : typical_altitude(model) * slowness;
+}
+
+double own_push_time(const Model& model, bool held) {
+  return held ? std::min(kOwnPushPulls * pull_time(model), kAnyTime) : kAnyTime;
 }
 
 YieldingEdges yielding_edges(const Model& model, double substep) {

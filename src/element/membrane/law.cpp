@@ -50,11 +50,6 @@ Axes along(const Triple& s, const Strain& e) {
           s.warp * e.warp.weft + s.weft * e.weft.weft + s.shear * e.shear.weft};
 }
 
-Hessian operator+(const Hessian& a, const Hessian& b) {
-  return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
-}
-Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
-
 /// (a bᵀ + b aᵀ) / 2
 Hessian product(const Axes& a, const Axes& b) {
   return {0.5 * (Mat3::outer(a.warp, b.warp) + Mat3::outer(b.warp, a.warp)),
@@ -197,13 +192,9 @@ Hessian neo_hookean_hessian(const Stiffness& c, const Axes& f, bool clamped) {
   return neo_hookean_parts(n, std::max(0.0, keeps), std::max(0.0, turns), positive_part(out));
 }
 
-Axes times(const Hessian& h, const Axes& f) {
-  return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
-}
-
 Hessian held_neo_hookean(const Stiffness& c, const Axes& f, const Axes& way) {
   const NeoHookean n(c, f);
-  const Axes stress = neo_hookean_stress(c, f), more = times(neo_hookean_hessian(c, f, true), way);
+  const Axes stress = neo_hookean_stress(c, f), more = neo_hookean_hessian(c, f, true) * way;
   const Sym2 out = across_plane(n, f, {stress.warp + more.warp, stress.weft + more.weft});
   const double then = n.s + n.lambda * dot(n.slope, way), most = n.mu + n.lambda;
   return neo_hookean_parts(n, held(n.mu + n.s, n.mu + then, most), std::max(0.0, n.mu - n.s),
@@ -228,6 +219,14 @@ Hessian hessian_of(const Law& law, const Axes& f, bool clamped) {
 }
 
 }  // namespace
+
+Hessian operator+(const Hessian& a, const Hessian& b) {
+  return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
+}
+Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
+Axes operator*(const Hessian& h, const Axes& f) {
+  return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
+}
 
 Strain strain_of(Energy energy, const Axes& f) {
   return energy == Energy::Yarn ? yarn_strain(f) : green_strain(f);

@@ -51,6 +51,9 @@ Strain strain_of(Energy energy, const Axes& f);
 struct Hessian {
   Mat3 warp, mixed, weft;
 };
+Hessian operator+(const Hessian& a, const Hessian& b);
+Hessian operator*(double s, const Hessian& a);
+Axes operator*(const Hessian& h, const Axes& f);
 
 /// Of one square metre at rest [J/m²].
 double energy(const Law& law, const Axes& f);

@@ -31,6 +31,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
       impulses_(impulse_rule(model, scene.contact, step)),
+      own_push_time_(own_push_time(model, solved.pairs)),
       separations_(contact_iterations(step)),
       limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
@@ -50,7 +51,6 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
                                                               : SurfaceKind::OpenMesh);
   }
   object_facts_.kinds.resize(object_.positions.size(), SurfaceKind::OpenMesh);  // balls have no triangles
-  if (solved.pairs) own_push_time_ = kOwnPushPulls * pull_time(model);
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -51,8 +50,8 @@ class Proximity {
   /// Whether cloth has met cloth in the last answer, in a blow, or was held back or limited.
   bool met() const { return met_; }
 
-  /// Before the first substep of a frame of that length [s].
-  void begin_frame(double frame) { most_delay_ = static_cast<std::uint64_t>(1e6 * kMostDelay * frame); }
+  /// Before the first substep of a frame of that length, and of so long ones [s].
+  void begin_frame(double frame, double step) { most_delay_ = most_delay(frame, step); }
 
   /// Pairs of one cloth that come near in the substep of the last `presses`.
   std::vector<NearPair> pressed_pairs() const;
@@ -131,8 +130,8 @@ class Proximity {
   double restitution_;
   Vec3d load_;
   ImpulseRule impulses_;
-  double own_push_time_ = std::numeric_limits<double>::infinity();  // ContactLaw [s]
-  std::uint32_t separations_;                                       // rounds
+  double own_push_time_;       // of pairs of one cloth [s]
+  std::uint32_t separations_;  // rounds
   std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth
   std::vector<std::uint32_t> body_;  // of each vertex

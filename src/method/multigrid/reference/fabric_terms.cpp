@@ -9,15 +9,8 @@ namespace {
 
 using membrane::Axes, membrane::Hessian;
 
-Axes operator*(const Hessian& h, const Axes& f) {
-  return {h.warp * f.warp + h.mixed * f.weft, transposed(h.mixed) * f.warp + h.weft * f.weft};
-}
 Axes operator*(double s, const Axes& f) { return {s * f.warp, s * f.weft}; }
 Axes operator+(const Axes& a, const Axes& b) { return {a.warp + b.warp, a.weft + b.weft}; }
-Hessian operator+(const Hessian& a, const Hessian& b) {
-  return {a.warp + b.warp, a.mixed + b.mixed, a.weft + b.weft};
-}
-Hessian operator*(double s, const Hessian& a) { return {s * a.warp, s * a.mixed, s * a.weft}; }
 
 /// Of one membrane: its force where its corners have come to place + start, and its part of the matrix.
 membrane::Blocks add_membrane(MeshStep& step, const membrane::Membranes& all, std::size_t number,
