@@ -7,20 +7,27 @@
 
 namespace weft {
 
-std::vector<std::uint32_t> tet_corners_of_nodes(const Model& model, const Body& body) {
-  const mesh::Adjacency places =
-      places_in(model.elements(ElementKind::Tet, body).nodes, body.first_vertex, body.vertex_count);
+std::vector<std::uint32_t> tet_corners_of_nodes(const Model& model, std::span<const Body> bodies) {
+  std::vector<std::uint32_t> corners;
+  for (const Body& body : bodies) {
+    const std::vector<std::uint32_t>& own = model.elements(ElementKind::Tet, body).nodes;
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  const std::uint32_t first = bodies.front().first_vertex,
+                      count = bodies.back().first_vertex + bodies.back().vertex_count - first;
+  const mesh::Adjacency places = places_in(corners, first, count);
   return rows_then_entries(places.offsets, places.entries);
 }
 
-Result<SolidBuffers> SolidBuffers::create(gpu::Device& device, const Model& model, const Body& body) {
+Result<SolidBuffers> SolidBuffers::create(gpu::Device& device, const Model& model, const Body& body,
+                                          std::uint32_t first, std::uint32_t first_tet) {
   SolidBuffers made;
   const ElementTable& tets = model.elements(ElementKind::Tet, body);
   const tet::Law law = tet_law(*body.solid);
-  made.layout = {body.first_vertex,
+  made.layout = {first,
                  body.vertex_count,
                  static_cast<std::uint32_t>(tets.size()),
-                 0,
+                 first_tet,
                  {static_cast<float>(law.mu), static_cast<float>(law.lambda), static_cast<float>(law.delay),
                   static_cast<std::uint32_t>(law.energy)}};
   WEFT_SET(made.params, gpu::create_uniform(device, made.layout, "solid"));

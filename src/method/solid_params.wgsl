@@ -5,7 +5,7 @@ struct SolidParams {  // mirror: src/method/solid_buffers.hpp
   first : u32,
   count : u32,
   tets : u32,
-  padding : u32,
+  first_tet : u32,  // among those of all bodies that kernels have together
   law : SolidLaw,
 }
 

@@ -2,7 +2,7 @@
 struct ListedPair {
   ids : vec4u,    // side A first, then side B; see kColliderPoint, kPairFlag, kCrossingFlag
   words : vec4u,  // kHasRecord and the record's number; before it has one, the distance that the pair keeps, m. The
-                  // cloth's friction; the gap in this substep, m; kOfOneCloth, kComesOnFront. Of a crossing: its
+                  // cloth's friction; the gap in this substep, m; kOfOneSystem to kOfTwoBodies. Of a crossing: its
                   // edge's other end, kIdBits, and how the edge has to move, in parts of the speed of equation
                   // (7). Numbers as the bits of f32.
 }
@@ -21,7 +21,7 @@ struct Contact {
   urgency : f32,    // its share of its vertices' masses, before they are shared; 0: it does not act, equation (1)
   solid : u32,      // the side that contact cannot move (collider, fixed vertex): 1 A, 2 B, 0 neither; or kUntangles
   near : u32,       // 1: it acts, or would but that another feature is nearer, or has a plane that must hold
-  other_end : u32,  // of a crossing: the id of the edge's other end; else kOfOneCloth, kComesOnFront
+  other_end : u32,  // of a crossing: the id of the edge's other end; else kOfOneSystem to kOfTwoBodies
   thickness : f32,  // the distance that it keeps, m
   solid_speed : f32,  // of a solid side, toward the other, m/s
   begun : f32,      // the normal part of the force that the last iteration ended with, before it went ahead, N
@@ -32,8 +32,10 @@ const kPairFlag = 0x40000000u;       // of ids.x: edge and edge; of ids.y: verte
                                      // that point to ids.z a capsule); else vertex and triangle
 const kCrossingFlag = 0x40000000u;   // of ids.z: an end of an edge, and the triangle that the edge passes through
 const kIdBits = 0x3fffffffu;
-const kOfOneCloth = 1u;              // both features
+const kOfOneSystem = 1u;             // both features: of one cloth, or of bodies that a solver's matrix has together
 const kComesOnFront = 2u;            // on that of the triangle, a vertex that is in it: docs/contact.md, equation (1b)
+const kOfBodies = 4u;                // of one system: of bodies with volume
+const kOfTwoBodies = 8u;             // of these, of two
 const kSolved = 2u;
 const kUntangles = 4u;               // of `solid`: it separates features on the wrong side, equation (7)
 
@@ -53,8 +55,8 @@ fn is_crossing(ids : vec4u) -> bool { return (ids.z & kCrossingFlag) != 0u; }
 fn is_shape_pair(ids : vec4u) -> bool { return (ids.y & kPairFlag) != 0u; }
 // A pair with a collider has at least one of its points in these two places.
 fn is_self_pair(ids : vec4u) -> bool { return ((ids.x | ids.z | ids.y) & kColliderPoint) == 0u; }
-fn is_of_two_cloths(contact : Contact) -> bool {
-  return is_self_pair(contact.ids) && (is_crossing(contact.ids) || (contact.other_end & kOfOneCloth) == 0u);
+fn is_of_two_systems(contact : Contact) -> bool {
+  return is_self_pair(contact.ids) && (is_crossing(contact.ids) || (contact.other_end & kOfOneSystem) == 0u);
 }
 // Of a pair with a collider, the first of its points there.
 fn collider_of(ids : vec4u) -> u32 {

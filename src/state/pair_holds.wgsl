@@ -13,9 +13,12 @@ struct PairHold {
 
 // Sums over a vertex's held pairs, of integers, since pairs have no order: how many hold it, |w| each, in kHeldUnits;
 // and a vector of three numbers of 64 bits, low word first, in kSumUnits: forces over the vertex's inertia, m, or
-// changes of velocity, m/s. A value is some 10 at most, and a sum of 2^16 of them does not pass over the end.
+// changes of velocity, m/s. A value of cloth is some 10 at most; of light bodies that heavy stiff ones press, 10^5 in
+// some iterations, and what was cut there would be no linear system any more. A sum of 2^7 of the largest does not pass
+// over the end. The last word of a vertex is 1 where a pair with another body has held it.
 const kSumWords = 8u;
+const kOfOtherWord = 7u;
 const kHeldUnits = 65536.0;  // 2^16
 const kSumUnits = 137438953472.0;  // 2^37
-const kMostSum = 1024.0;
+const kMostSum = 524288.0;
 fn sum_word(vertex : u32) -> u32 { return kSumWords * vertex + 1u; }

@@ -216,7 +216,7 @@ Json solid_law() {
 Json solid_params() {
   using T = SolidParams;
   return row("SolidParams", "method/solid_params.wgsl", sizeof(T), kUniform,
-             {M(first), M(count), M(tets), M(padding), M(law)});
+             {M(first), M(count), M(tets), M(first_tet), M(law)});
 }
 Json spring_grid_row() {
   using T = SpringGrid;
@@ -525,6 +525,7 @@ Json shared_constants() {
       real("kOutwardPart", "contact/proximity/untangle.wgsl", kOutwardPart),
       real("kConeSlack", "contact/proximity/cones.wgsl", kConeSlack),
       constant("kHasInside", "contact/proximity/find_pairs.wgsl", kHasInside),
+      constant("kIsJoined", "contact/proximity/find_pairs.wgsl", kIsJoined),
       real("kNoDistance", "contact/proximity/measure.wgsl", kNoDistance),
       real("kTouch", "contact/proximity/evaluate.wgsl", kTouch),
       real("kContactTouching", "state/contact.wgsl", kContactTouching),

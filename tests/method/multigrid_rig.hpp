@@ -58,7 +58,13 @@ class ImplicitRig {
         return Kernels::create(inputs);
     }();
     REQUIRE_OK(kernels);
-    auto cycle = ClothCycle::create(inputs, *kernels, {model_.host.bodies[0]});
+    auto cycle = [&] {
+      const Body& body = model_.host.bodies[0];
+      if constexpr (kIsMesh)
+        return ClothCycle::create(inputs, *kernels, multigrid::SystemBodies{{&body, 1}});
+      else
+        return ClothCycle::create(inputs, *kernels, {body});
+    }();
     REQUIRE_OK(cycle);
     cycle_ = std::move(*cycle);
     params_.air.acceleration = Vec4f::from((scene_.gravity + scene_.external_force).to<float>(), 0);

@@ -46,7 +46,8 @@ struct Sheet {
     const Body& body = model.bodies[0];
     if (body.grid) return multigrid::bottom_of(multigrid::grid_scales(model, body, dt), multigrid::kGridTail);
     const std::vector<MeshLevel> levels = mesh_levels(model, body, model.springs(body));
-    return multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, dt), multigrid::kMeshTail);
+    return multigrid::bottom_of(multigrid::mesh_scales(model, {{&body, 1}}, levels, dt),
+                                multigrid::kMeshTail);
   }
   /// How their finest level smooths.
   multigrid::Smoothing finest(double dt = 1.0 / 480) const {

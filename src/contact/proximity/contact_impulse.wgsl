@@ -17,7 +17,8 @@
 @group(0) @binding(6) var<storage, read_write> presses         : array<atomic<i32>>; // press_sums.wgsl
 @group(0) @binding(7) var<storage, read_write> begun           : array<vec4f>; // contacts          N
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
-override kOwnPushTime : f32 = 1e9;  // s: for how long pairs of one cloth are pushed at most
+override kOwnPushTime : f32 = 1e9;   // s: for how long pairs of one cloth are pushed at most
+override kBodyPushTime : f32 = 1e9;  // s: the same of bodies
 override kPresses : u32 = 0;  // 1: a solver holds vertices at obstacles, and `presses` is that buffer
 override kHeavy : u32 = 0;  // 1: heavy cloth may lie on light cloth, and `begun` has the forces before they went ahead
 override kFirst : u32 = 0;  // of the substep's iterations, where kHeavy is 1
@@ -171,8 +172,9 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     let spared = select(0.0, kHeldLack, left) * contact.thickness;
     let lack = clamp(contact.thickness - spared - contact.normal.w, 0.0, contact.thickness);
     let restored = kPushPart * min(1.0, lack / (kSoftLack * contact.thickness));
-    let own = is_self_pair(contact.ids) && !is_of_two_cloths(contact);
-    let time = select(step.time.dt, min(step.time.dt, kOwnPushTime), own);
+    let own = is_self_pair(contact.ids) && !is_of_two_systems(contact);
+    let longest = select(kOwnPushTime, kBodyPushTime, (contact.other_end & kOfBodies) != 0u);
+    let time = select(step.time.dt, min(step.time.dt, longest), own);
     let apart = min(restored * lack, kPushSpeed * time);  // equation (5a), m
     let pushes = kLast != 0u && contact.solid != kUntangles && apart > 0.0;
     if (has_body(contact)) {
@@ -185,7 +187,7 @@ fn contact_impulse(@builtin(global_invocation_id) id : vec3u, @builtin(num_workg
     for (var role = 0u; role < role_count(contact.ids); role++) {
       if (is_collider(contact.ids[role])) { continue; }
       let vertex = contact.ids[role] & kIdBits;
-      let forgets = is_of_two_cloths(contact) && w[role] != 0.0;
+      let forgets = is_of_two_systems(contact) && w[role] != 0.0;
       if (kPresses != 0u && kLast != 0u && forgets) { forget_hold(vertex); }
       let part = previous[vertex].w * w[role];
       add_units(kVertexWords * vertex + kChangeWord, kSpeedUnits, part * given.impulse);

@@ -99,9 +99,10 @@ fn find_meeting(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgrou
       let least = min(half, least_apart(ends.gap, ends.thickness));
       slow_all(part_until(ends.gap, ends.apart, least));
     }
+    atomicMax(&statistics[kStatMeeting], this_round.number);
+    if ((words.w & kOfTwoBodies) != 0u) { continue; }  // for these the substep ends before its time
     for (var role = 0u; role < 4u; role++) {
       atomicOr(&vertex_contacts[kVertexWords * (ids[role] & kIdBits) + kHeldWord], kMarked);
     }
-    atomicMax(&statistics[kStatMeeting], this_round.number);
   }
 }

@@ -190,6 +190,8 @@ fn crossings_of(candidate : vec2u, own : vec4u, other : vec4u) -> u32 {
 
 // Equation (1b) of docs/contact.md: kComesOnFront, or 0.
 const kHasInside = 0x80000000u;  // of a cloth's number: a body, or cloth about a gas
+const kIsJoined = 0x40000000u;   // a body that a solver's matrix has together with others
+fn are_of_one_system(a : u32, b : u32) -> bool { return a == b || (a & b & kIsJoined) != 0u; }
 fn way_out(candidate : vec2u, ids : vec4u) -> u32 {
   if (is_edge_pair(ids)) { return 0u; }
   let a = face_of(own_triangle(candidate));
@@ -222,7 +224,11 @@ fn list_features(pair : u32, candidate : vec2u, ids : vec4u) {
   let kind = candidate.x >> kKindShift;
   if (kind == kNearCloth) {
     thickness = thickness_of(ids);
-    sides = select(0u, kOfOneCloth, rest_of(ids.x).w == rest_of(ids.z).w);
+    let a = rest_of(ids.x).w;
+    let b = rest_of(ids.z).w;
+    if (are_of_one_system(a, b)) {
+      sides = kOfOneSystem | select(0u, kOfBodies, (a & b & kIsJoined) != 0u) | select(0u, kOfTwoBodies, a != b);
+    }
   }
   if (kind <= kNearDeforming) { sides |= way_out(candidate, ids); }
   var friction = friction_of_cloth(candidate.x & kPlaceBits);

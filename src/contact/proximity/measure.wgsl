@@ -73,7 +73,7 @@ fn spare_of(more : f32) -> f32 {
   return min(more, max(0.0, 2.0 * kMostSpare * step.contact.thickness - more));
 }
 
-// Of a pair that is no crossing. `sides`: kOfOneCloth, kComesOnFront.
+// Of a pair that is no crossing. `sides`: kOfOneSystem, kComesOnFront.
 fn measure(ids : vec4u, sides : u32) -> Measured {
   let p0 = start_of(ids.x);
   let p1 = start_of(ids.y);

@@ -38,13 +38,13 @@ void append_rims(std::vector<TreeWord>& trees, std::vector<float> rims) {
 }
 
 /// A vertex's place at rest [m], and its cloth's number.
-void append_rest(std::vector<TreeWord>& trees, const Model& model) {
+void append_rest(std::vector<TreeWord>& trees, const Model& model, bool joins) {
   for (std::size_t c = 0; c < model.bodies.size(); ++c)
     for (std::uint32_t v = 0; v < model.bodies[c].vertex_count; ++v) {
       const Vec3f place = model.rest_position[model.bodies[c].first_vertex + v].to<float>();
       std::array<std::uint32_t, 3> word{};
       std::memcpy(word.data(), &place, sizeof word);
-      trees.push_back({word[0], word[1], word[2], contact_number(model, c)});
+      trees.push_back({word[0], word[1], word[2], contact_number(model, c, joins)});
     }
 }
 
@@ -99,7 +99,7 @@ Result<void> PairSearch::create_buffers(gpu::Device& device, const GpuModel& mod
   rims.insert(rims.end(), colliders_.rims.begin(), colliders_.rims.end());
   append_rims(trees, std::move(rims));
   first_rest_ = static_cast<std::uint32_t>(trees.size());
-  append_rest(trees, model.host);
+  append_rest(trees, model.host, setup_.joins);
 
   WEFT_TRY(tree_buffer, gpu::Buffer<TreeWord>::create_from(device, trees, "trees"));
   trees_ = std::move(tree_buffer);

@@ -31,6 +31,7 @@ struct SearchSetup {
   std::uint32_t interval = 4;     // substeps from one that may search to the next
   std::size_t separations = 1;    // rounds in a substep that separate pairs of cloth
   bool presses = false;           // a solver asks for the lists before it predicts
+  bool joins = false;             // its matrix has pairs, and all bodies with volume
   std::vector<float> most_slack;  // of each vertex [m]: weft::most_slacks
 };
 

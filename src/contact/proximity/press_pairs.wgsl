@@ -22,7 +22,7 @@ fn hold_of(number : u32, tangled : bool) -> PairHold {
   var hold : PairHold;
   let ids = contacts[number].ids;
   let thickness = contacts[number].thickness;
-  if ((contacts[number].other_end & kOfOneCloth) == 0u || is_crossing(ids) || thickness <= 0.0) { return hold; }
+  if ((contacts[number].other_end & kOfOneSystem) == 0u || is_crossing(ids) || thickness <= 0.0) { return hold; }
   if (tangled && contacts[number].urgency == 0.0) { return hold; }  // it may be on the wrong side
   let measured = measure(ids, contacts[number].other_end);
   if (!measured.counts || measured.gap <= 0.0) { return hold; }

@@ -54,6 +54,7 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   setup.interval = wanted.interval;
   setup.separations = contact_iterations(wanted.step);
   setup.presses = made.presses_;
+  setup.joins = wanted.solved.pairs;
   setup.workgroup_size = wanted.workgroup_size;
   for (const double slack : most_slacks(model.host, lengths.most_reach, lengths.self_thickness))
     setup.most_slack.push_back(static_cast<float>(slack));
@@ -74,11 +75,11 @@ Result<Proximity> Proximity::create(gpu::Device& device, const GpuModel& model, 
   const YieldingEdges yielding =
       made.rigid_.any() ? YieldingEdges{} : yielding_edges(model.host, wanted.step);
   WEFT_TRY(respond,
-           Respond::create(device,
-                           {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
-                            contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
-                            wanted.solved.balances, made.rigid_.any(), edges, yielding.edges, yielding.time,
-                            own_push_time(model.host, wanted.solved.pairs), wanted.workgroup_size}));
+           Respond::create(
+               device, {wanted.interval, impulse_rule(model.host, scene.contact, wanted.step),
+                        contact_iterations(wanted.step), lengths.self_thickness > 0, made.presses_,
+                        wanted.solved.balances, made.rigid_.any(), edges, yielding.edges, yielding.time,
+                        wanted.solved.pairs ? push_times(model.host) : PushTimes{}, wanted.workgroup_size}));
   made.respond_ = std::move(respond);
   WEFT_CHECK(made.bind_own(device, state, pairs));
   return made;

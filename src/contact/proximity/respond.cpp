@@ -25,7 +25,11 @@ Result<Respond> Respond::create(gpu::Device& device, const Setup& setup) {
   std::vector<Wanted> all = {
       {made.last_impulse_,
        "contact/proximity/contact_impulse.wgsl",
-       {presses, heavy, rigid, {"kOwnPushTime", setup.own_push_time}}},
+       {presses,
+        heavy,
+        rigid,
+        {"kOwnPushTime", setup.push_times.of_one_cloth},
+        {"kBodyPushTime", setup.push_times.of_bodies}}},
       {made.respond_,
        "contact/proximity/contact_respond.wgsl",
        {move, rigid, keeps_lost, {"kDetectInterval", static_cast<double>(setup.interval)}}}};

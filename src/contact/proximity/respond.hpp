@@ -8,6 +8,7 @@
 #include "contact/proximity/held_edges.hpp"
 #include "contact/proximity/rigid_bodies.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/yielding_edges.hpp"
 #include "gpu/kernel.hpp"
 #include "state/state.hpp"
 
@@ -32,7 +33,7 @@ class Respond {
     std::span<const LimitedEdge> edges;    // of cloth with a strain limit
     std::span<const mesh::Edge> yielding;  // beside ways that are held back; may be none
     double yielding_time = 0;              // YieldingEdges::time [s]
-    double own_push_time = 0;              // own_push_time() [s]
+    PushTimes push_times;
     std::uint32_t workgroup_size = gpu::kDefaultWorkgroupSize;
   };
   Respond() = default;

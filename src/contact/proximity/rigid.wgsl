@@ -3,7 +3,7 @@
 #include "state/contact.wgsl"
 #include "contact/proximity/rigid_words.wgsl"
 override kRigid : bool = false;  // whether the scene has any, and `rigid` is that buffer
-const kRigidPair = 0x80000000u;  // of `other_end` of a pair with one: its collider above kOfOneCloth, kComesOnFront
+const kRigidPair = 0x80000000u;  // of `other_end` of a pair with one: its collider above kOfOneSystem, kComesOnFront
 const kRigidShift = 2u;
 
 fn rigid_number(word : u32) -> f32 { return bitcast<f32>(atomicLoad(&rigid[word])); }
@@ -15,7 +15,7 @@ fn has_body(contact : Contact) -> bool {
   return kRigid && (contact.other_end & kRigidPair) != 0u && !is_crossing(contact.ids) && !is_self_pair(contact.ids);
 }
 fn sides_with_body(sides : u32, collider : u32) -> u32 {
-  return kRigidPair | (collider << kRigidShift) | (sides & (kOfOneCloth | kComesOnFront));
+  return kRigidPair | (collider << kRigidShift) | (sides & (kOfOneSystem | kComesOnFront));
 }
 fn body_words(contact : Contact) -> u32 { return kRigidWords * ((contact.other_end & ~kRigidPair) >> kRigidShift); }
 // 1: the body is side A of the pair; -1: side B.

@@ -58,7 +58,7 @@ fn separate_pairs(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgr
     if (is_crossing(ids) || !is_self_pair(ids)) { continue; }
     let ends = ends_of(ids, listed[pair].words);
     if (!end_too_near(ids, ends)) { continue; }
-    if (tangles_of(ids, 0u, 4u) != 0u) {  // held back
+    if (tangles_of(ids, 0u, 4u) != 0u || (listed[pair].words.w & kOfTwoBodies) != 0u) {  // held back
       if (!kGives) { atomicMax(&statistics[kStatMeeting], kMostSeparations); }
       continue;
     }

@@ -45,10 +45,15 @@ inline constexpr double kConeSlack = 1e-3;
 inline constexpr double kNoDistance = 0x1p-21;
 /// The bit in a cloth's number, as contact has it, of what has an inside: a body, or cloth about a gas.
 inline constexpr std::uint32_t kHasInside = 0x80000000U;
-inline std::uint32_t contact_number(const Model& model, std::size_t cloth) {
+/// The same of a body that a solver's matrix has together with others: pairs of two of them are as those of one cloth.
+inline constexpr std::uint32_t kIsJoined = 0x40000000U;
+/// `joins`: whether a solver's matrix has pairs, and all bodies with volume.
+inline std::uint32_t contact_number(const Model& model, std::size_t cloth, bool joins) {
   const Body& body = model.bodies[cloth];
-  return static_cast<std::uint32_t>(cloth) | (body.solid || body.gas ? kHasInside : 0);
+  return static_cast<std::uint32_t>(cloth) | (body.solid || body.gas ? kHasInside : 0) |
+         (joins && body.solid ? kIsJoined : 0);
 }
+inline bool are_of_one_system(std::uint32_t a, std::uint32_t b) { return a == b || (a & b & kIsJoined) != 0; }
 /// The part of a missing gap that a hold of the implicit solver restores in a substep, and how fast at most [m/s]; of a
 /// node that it has borne before, no more than so much a second [1/s], and as much slower. The node does not keep that
 /// speed. Faster, the edges of a strip that bends over a capsule are moved about, and stretched three times as much.

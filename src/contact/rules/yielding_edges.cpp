@@ -8,12 +8,11 @@
 #include "contact/rules/contact_law.hpp"
 #include "model/cloth_size.hpp"
 #include "model/sheet_moduli.hpp"
+#include "model/solid.hpp"
 
 namespace weft {
 
 namespace {
-
-constexpr double kAnyTime = 1e9;  // longer than any substep [s]
 
 std::vector<const Body*> cloths_of(const Model& model) {
   std::vector<const Body*> cloths;
@@ -34,8 +33,21 @@ double pull_time(const Model& model) {
   return std::isinf(slowness) ? slowness : typical_altitude(model) * slowness;
 }
 
-double own_push_time(const Model& model, bool held) {
-  return held ? std::min(kOwnPushPulls * pull_time(model), kAnyTime) : kAnyTime;
+double pull_time_of_bodies(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body& body : model.bodies) {
+    if (!body.solid) continue;
+    double volume = 0;
+    for (const tet::Rest& rest : body_tets(model, body).rests) volume += rest.volume;
+    const double slowness = std::sqrt(mass_of(model, body) / volume / body.solid->young);
+    least = std::min(least, std::cbrt(volume / body.vertex_count) * slowness);
+  }
+  return least;
+}
+
+PushTimes push_times(const Model& model) {
+  return {std::min(kOwnPushPulls * pull_time(model), kAnyTime),
+          std::min(kOwnPushPulls * pull_time_of_bodies(model), kAnyTime)};
 }
 
 YieldingEdges yielding_edges(const Model& model, double substep) {

@@ -4,12 +4,14 @@
 // invocation per node.
 // Source: docs/solvers/multigrid.md, equations 13 and 15a; docs/solvers/fem.md, equation 3.
 #include "method/multigrid/fine_vectors.wgsl"
+#include "method/multigrid/norm_scale.wgsl"
 #include "state/pair_sums.wgsl"
 #include "state/step.wgsl"
 //                                                                                 elements
 @group(0) @binding(3) var<storage, read>       place     : array<vec4f>;        // count  w: N/m, 0: fixed
 @group(0) @binding(4) var<storage, read_write> pair_sums : array<u32>;          // state/pair_holds.wgsl
 @group(0) @binding(5) var<uniform>             step      : StepBlock;
+@group(0) @binding(6) var<storage, read>       scales    : array<f32>;          // norm_scale.wgsl
 override kAgain : bool = false;  // true: of the second system
 override kHolds : bool = false;  // true: obstacles may hold nodes
 override kPairs : bool = false;  // true: pairs may be held apart, and the residual gets their forces
@@ -43,11 +45,12 @@ fn begin_solve(@builtin(global_invocation_id) id : vec3u, @builtin(local_invocat
       vectors[vector_at(level, kResidual, node)] = vec4f(r, 0.0);
     }
     let d = times(inverse_at(level, node), r);
-    part.x = dot(r, d);
+    let scale = norm_scale(node);
+    part.x = scale * dot(r, d);
     if (kAgain) {
       vectors[vector_at(level, kDirection, node)] = vec4f(kBegin * d, 0.0);
-      if (kMeasures) { part.y = rounding_norm(level, node, place[cloth * nodes.count + node].xyz); }
-      if (kHolds) { part.y = weight_norm(level, node, place[cloth * nodes.count + node].w); }
+      if (kMeasures) { part.y = scale * rounding_norm(level, node, place[cloth * nodes.count + node].xyz); }
+      if (kHolds) { part.y = scale * weight_norm(level, node, place[cloth * nodes.count + node].w); }
     } else {
       part.y = dot(r, vectors[vector_at(level, kSearch, node)].xyz);
     }

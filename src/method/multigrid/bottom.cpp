@@ -65,17 +65,31 @@ std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std:
 
 /// A node's stiffness goes with the distance of nodes, and its mass with that cubed. Linear functions on cells of side
 /// s have 6 s of |∇φ|², in each direction 2 s.
-std::vector<LevelScale> solid_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
-                                     double step) {
-  const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
-  const tet::Tets tets = body_tets(model, body);
+LevelScale solid_scale(const Model& model, const Body& body, double nodes, double step) {
+  const double he = formula_length(step), own = mass_of(model, body) / (he * he) / nodes;
+  const tet::Law law = tet_law(*body.solid);
   double volume = 0;
-  for (const tet::Rest& rest : tets.rests) volume += rest.volume;
-  const double modulus = (1 + tets.law.delay / he) * (6 * tets.law.mu + 2 * (tets.law.lambda + tets.law.mu));
+  for (const tet::Rest& rest : body_tets(model, body).rests) volume += rest.volume;
+  const double modulus = (1 + law.delay / he) * (6 * law.mu + 2 * (law.lambda + law.mu));
+  const double stiffness = modulus * std::cbrt(volume / nodes);
+  return {0, own, stiffness + (1 / kElementDiagonalPart - 1) * (own + stiffness)};
+}
+
+/// Of several bodies that which has least inertia for its stiffness; each has its part of a level's nodes.
+std::vector<LevelScale> solid_scales(const Model& model, const SystemBodies& bodies,
+                                     std::span<const MeshLevel> levels, double step) {
   std::vector<LevelScale> scales;
   for (const MeshLevel& level : levels) {
-    const double own = inertia / level.node_count, stiffness = modulus * std::cbrt(volume / level.node_count);
-    scales.push_back({level.node_count, own, stiffness + (1 / kElementDiagonalPart - 1) * (own + stiffness)});
+    LevelScale stiffest;
+    for (const Body& body : bodies.bodies) {
+      const double nodes =
+          std::max(1.0, static_cast<double>(level.node_count) * body.vertex_count / bodies.vertex_count());
+      const LevelScale one = solid_scale(model, body, nodes, step);
+      if (stiffest.nodes == 0 || one.inertia * stiffest.stiffness < stiffest.inertia * one.stiffness)
+        stiffest = one;
+      stiffest.nodes = level.node_count;
+    }
+    scales.push_back(stiffest);
   }
   return scales;
 }
@@ -103,10 +117,11 @@ std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double
   return scales;
 }
 
-std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
-                                    double step) {
+std::vector<LevelScale> mesh_scales(const Model& model, const SystemBodies& bodies,
+                                    std::span<const MeshLevel> levels, double step) {
+  const Body& body = bodies.first();
   if (body.fabric) return fabric_scales(model, body, levels, step);
-  if (body.solid) return solid_scales(model, body, levels, step);
+  if (body.solid) return solid_scales(model, bodies, levels, step);
   const double he = formula_length(step), inertia = mass_of(model, body) / (he * he);
   double springs = 0;
   for (const Spring s : model.springs(body)) {
@@ -117,6 +132,19 @@ std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::s
   std::vector<LevelScale> scales;
   for (const MeshLevel& level : levels)
     scales.push_back({level.node_count, inertia / level.node_count, stiffness});
+  return scales;
+}
+
+std::vector<float> norm_scales(const Model& model, const SystemBodies& bodies, double step) {
+  std::vector<double> norms;  // of what pulls all nodes alike, squared: Σ r·D⁻¹r, r in proportion to the mass
+  for (const Body& body : bodies.bodies) {
+    const LevelScale node = solid_scale(model, body, body.vertex_count, step);
+    norms.push_back(body.vertex_count * node.inertia * node.inertia / (node.inertia + node.stiffness));
+  }
+  const double most = *std::max_element(norms.begin(), norms.end());
+  std::vector<float> scales;
+  for (std::size_t b = 0; b < norms.size(); ++b)
+    scales.insert(scales.end(), bodies.bodies[b].vertex_count, static_cast<float>(most / norms[b]));
   return scales;
 }
 

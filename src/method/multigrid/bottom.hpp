@@ -42,8 +42,12 @@ struct Bottom {
 
 /// The levels of a cloth for substeps of `step` [s], the finest first. `levels`: those of mesh_levels.
 std::vector<LevelScale> grid_scales(const Model& model, const Body& body, double step);
-std::vector<LevelScale> mesh_scales(const Model& model, const Body& body, std::span<const MeshLevel> levels,
-                                    double step);
+std::vector<LevelScale> mesh_scales(const Model& model, const SystemBodies& bodies,
+                                    std::span<const MeshLevel> levels, double step);
+
+/// How much a node's part of a residual's norm counts: of several bodies each has a norm of weight as large as the
+/// largest then, so that none is left unsolved beside another. By nodes of all `bodies`, which have volume.
+std::vector<float> norm_scales(const Model& model, const SystemBodies& bodies, double step);
 
 /// Where one workgroup, which does the levels of no more than `most` nodes, has least to do.
 Bottom bottom_of(std::span<const LevelScale> levels, std::uint32_t most);

@@ -132,7 +132,6 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
   const State& state = inputs.state;
   const gpu::Workgroups nodes = for_each_cloth(kernels.predict->workgroups_of(own_nodes_.count));
   const gpu::Workgroups lone = for_each_cloth({});
-  const Dispatch::Bindings parts = {nodes_, vectors_, partials_};
   const Dispatch::Bindings sums = {nodes_, vectors_, partials_, state.statistics};
   WEFT_SET(predict_,
            Dispatch::create_by_parity(kernels.predict, nodes, [&](std::size_t p) -> Dispatch::Bindings {
@@ -147,10 +146,10 @@ Result<void> Cycle::create_shared(const CycleInputs& inputs, const SharedKernels
                      place_,
                      vectors_};
            }));
-  WEFT_SET(begin_solve_,
-           Dispatch::create(kernels.begin_solve, nodes,
-                            {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps}));
-  WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, parts));
+  WEFT_SET(begin_solve_, Dispatch::create(kernels.begin_solve, nodes,
+                                          {nodes_, vectors_, partials_, place_, pair_sums(inputs),
+                                           state.steps, norm_scales_}));
+  WEFT_SET(advance_, Dispatch::create(kernels.advance, nodes, {nodes_, vectors_, partials_, norm_scales_}));
   WEFT_SET(first_norm_, Dispatch::create(kernels.first_norm, lone, sums));
   WEFT_SET(square_, Dispatch::create(kernels.square, lone, sums));
   WEFT_SET(norm_, Dispatch::create(kernels.norm, lone, sums));
@@ -197,7 +196,8 @@ Result<void> Cycle::create_second(const CycleInputs& inputs, const SharedKernels
   WEFT_SET(go_on_, Dispatch::create_by_parity(kernels.go_on, nodes, [&](std::size_t p) -> Dispatch::Bindings {
              return {state.steps, nodes_, place_, vectors_, *inputs.predicted[p], pair_sums(inputs)};
            }));
-  const Dispatch::Bindings begin = {nodes_, vectors_, partials_, place_, pair_sums(inputs), state.steps};
+  const Dispatch::Bindings begin = {nodes_,      vectors_,    partials_, place_, pair_sums(inputs),
+                                    state.steps, norm_scales_};
   WEFT_SET(begin_again_, Dispatch::create(kernels.begin_again, nodes, begin));
   WEFT_SET(begin_measure_, Dispatch::create(kernels.begin_measure, nodes, begin));
   WEFT_SET(predict_again_,

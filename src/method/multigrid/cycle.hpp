@@ -7,7 +7,6 @@
 
 #include "gpu/dispatch.hpp"
 #include "method/enclosed_gas.hpp"
-#include "method/equal_cloths.hpp"
 #include "method/multigrid/bottom.hpp"
 #include "method/multigrid/solve_limits.hpp"
 #include "method/predicted.hpp"
@@ -59,6 +58,11 @@ struct BottomSweeps {
         half(static_cast<float>((multigrid::kSmoothHigh - bottom.low) / 2)) {}
 };
 static_assert(sizeof(BottomSweeps) == 12);
+
+/// The vertices of a cycle's cloths, which follow each other and have as many each.
+struct CycleVertices {
+  std::uint32_t first = 0, each = 0, cloths = 1;
+};
 
 struct SharedKernels;
 
@@ -146,7 +150,7 @@ class Cycle {
   /// The part that grids and meshes share: `shapes` are the levels as kernels read them, the finest first; a tail's
   /// have `most_of_tail` nodes at most.
   template <class Shape>
-  Result<void> create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
+  Result<void> create_buffers(const CycleInputs& inputs, const CycleVertices& vertices,
                               const std::vector<Shape>& shapes, std::uint32_t most_of_tail);
   /// The same workgroups for each cloth.
   gpu::Workgroups for_each_cloth(const gpu::Workgroups& one) const { return {one.x, one.y, cloths_}; }
@@ -171,7 +175,8 @@ class Cycle {
   gpu::Buffer<std::int32_t> no_presses_, no_pair_sums_;
   gpu::Buffer<Vec4f> place_, holds_, vectors_;
   gpu::Buffer<std::array<float, 2>> partials_;
-  std::vector<gpu::Dispatch> elements_;              // what the gradient adds up, where it is not of springs
+  gpu::Buffer<float> norm_scales_;       // multigrid::norm_scales; of one element where all count alike
+  std::vector<gpu::Dispatch> elements_;  // what the gradient adds up, where it is not of springs
   gpu::Dispatch add_gas_, add_air_, add_air_again_;  // none: record nothing
   gpu::Dispatch predict_, gradient_, tail_cycle_, finish_, begin_anew_;
   gpu::Dispatch go_on_, predict_again_, begin_again_;  // the second system, and those behind it
@@ -196,12 +201,12 @@ class Cycle {
 };
 
 template <class Shape>
-Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths& cloths,
+Result<void> Cycle::create_buffers(const CycleInputs& inputs, const CycleVertices& vertices,
                                    const std::vector<Shape>& shapes, std::uint32_t most_of_tail) {
   gpu::Device& device = inputs.device;
-  const std::uint32_t nodes = cloths.first.vertex_count;
-  const std::size_t all_nodes = std::size_t{cloths.count} * nodes;
-  cloths_ = cloths.count;
+  const std::uint32_t nodes = vertices.each;
+  const std::size_t all_nodes = std::size_t{vertices.cloths} * nodes;
+  cloths_ = vertices.cloths;
   corrects_ = !leads(inputs);
   while (tail_ + 1 < shapes.size() && node_count(shapes[tail_]) > most_of_tail) ++tail_;
   std::size_t vectors = 0;
@@ -218,7 +223,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
                                                          "coarsest multigrid levels"));
   WEFT_SET(sweeps_, gpu::create_uniform(device, BottomSweeps(bottom_), "sweeps of the coarsest level"));
   const double residual = (inputs.presses != nullptr ? multigrid::kHeldPart : 1) * inputs.residual;
-  own_nodes_ = {cloths.first.first_vertex, nodes, static_cast<float>(residual * residual), 1,
+  own_nodes_ = {vertices.first, nodes, static_cast<float>(residual * residual), 1,
                 static_cast<std::uint32_t>(vectors)};
   own_nodes_.first_part = static_cast<float>(
       std::max(1.0, multigrid::kFirstPart * multigrid::kFirstPart / (residual * residual)));
@@ -231,6 +236,7 @@ Result<void> Cycle::create_buffers(const CycleInputs& inputs, const EqualCloths&
   // One element each where nothing holds: kernels bind buffers that they do not read.
   const std::size_t count = inputs.presses != nullptr ? 3 * all_nodes : 1;
   WEFT_SET(holds_, gpu::Buffer<Vec4f>::create(device, count, "multigrid holds"));
+  WEFT_SET(norm_scales_, gpu::Buffer<float>::create(device, 1, "no scales of norms"));
   WEFT_SET(no_presses_, gpu::Buffer<std::int32_t>::create(device, 1, "no presses"));
   WEFT_SET(no_pair_sums_, gpu::Buffer<std::int32_t>::create(device, 1, "no sums of pairs"));
   WEFT_SET(vectors_, gpu::Buffer<Vec4f>::create(device, cloths_ * (vectors + multigrid::kSolveWords),

@@ -28,19 +28,24 @@ void add_parts(PartKind kind, std::uint32_t element, std::span<const std::uint32
       if (nodes[i] <= nodes[j]) parts.push_back({nodes[i] - first, nodes[j] - first, {kind, element, i, j}});
 }
 
-void add_parts(PartKind kind, const ElementTable& table, std::uint32_t first,
+void add_parts(PartKind kind, ElementKind elements, const Model& model, const multigrid::SystemBodies& bodies,
                std::vector<PlacedPart>& parts) {
-  for (std::uint32_t e = 0; e < table.size(); ++e) add_parts(kind, e, table.nodes_of(e), first, parts);
+  std::uint32_t number = 0;
+  for (const Body& body : bodies.bodies) {
+    const ElementTable& table = model.elements(elements, body);
+    for (std::uint32_t e = 0; e < table.size(); ++e)
+      add_parts(kind, number++, table.nodes_of(e), bodies.first_vertex(), parts);
+  }
 }
 
 }  // namespace
 
-ElementPairs element_pairs(const Model& model, const Body& body) {
+ElementPairs element_pairs(const Model& model, const multigrid::SystemBodies& bodies) {
   std::vector<PlacedPart> parts;
-  add_parts(PartKind::Membrane, model.elements(ElementKind::Membrane, body), body.first_vertex, parts);
-  add_parts(PartKind::Hinge, model.elements(ElementKind::Hinge, body), body.first_vertex, parts);
-  add_parts(PartKind::Tet, model.elements(ElementKind::Tet, body), body.first_vertex, parts);
-  const std::vector<LimitSpring> limits = limit_springs(model, body);
+  add_parts(PartKind::Membrane, ElementKind::Membrane, model, bodies, parts);
+  add_parts(PartKind::Hinge, ElementKind::Hinge, model, bodies, parts);
+  add_parts(PartKind::Tet, ElementKind::Tet, model, bodies, parts);
+  const std::vector<LimitSpring> limits = limit_springs(model, bodies.first());
   for (std::uint32_t e = 0; e < limits.size(); ++e)
     add_parts(PartKind::Limit, e, std::array{limits[e].a, limits[e].b}, 0, parts);
   std::sort(parts.begin(), parts.end(),

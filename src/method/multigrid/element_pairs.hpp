@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/lists.hpp"
+#include "method/multigrid/systems.hpp"
 #include "model/model.hpp"
 
 namespace weft {
@@ -30,6 +31,7 @@ struct ElementPairs {
   std::vector<mesh::Edge> pairs;  // nodes that share an element, from 0; the first is the smaller number
   Lists<ElementPart> parts;       // of each node's own block, then of each pair's
 };
-ElementPairs element_pairs(const Model& model, const Body& body);
+/// `bodies`: elements and nodes are numbered through all of them.
+ElementPairs element_pairs(const Model& model, const multigrid::SystemBodies& bodies);
 
 }  // namespace weft

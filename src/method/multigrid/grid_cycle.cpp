@@ -38,7 +38,8 @@ Result<GridCycle> GridCycle::create(const CycleInputs& inputs, const GridKernels
                                       multigrid::kGridTail);
   made.finest_ = kernels.smoothing;
   made.shapes_ = grid_level_params(body, inputs.corners != nullptr, made.bottom_.level + 1);
-  WEFT_CHECK(made.create_buffers(inputs, cloths, made.shapes_, multigrid::kGridTail));
+  WEFT_CHECK(made.create_buffers(inputs, {cloths.first.first_vertex, cloths.first.vertex_count, cloths.count},
+                                 made.shapes_, multigrid::kGridTail));
   WEFT_SET(made.grid_,
            gpu::create_uniform(inputs.device, spring_grid(*body.grid, body.material(), body.first_vertex),
                                "spring grid"));

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "method/equal_cloths.hpp"
 #include "method/multigrid/grid_level_params.hpp"
 #include "method/multigrid/kernels.hpp"
 

@@ -121,6 +121,9 @@ Result<LevelSmoothing> create_smoothing(gpu::Device& device, const multigrid::Sm
   return made;
 }
 
+/// Whether the system is of bodies with volume, for the kernels that hold them.
+gpu::Constant of_body(CycleKind kind) { return {"kBody", kind == CycleKind::Tets ? 1.0 : 0.0}; }
+
 /// Of a second system; of the only or the second one.
 gpu::Constant again() { return {"kAgain", 1}; }
 gpu::Constant last() { return {"kLast", 1}; }
@@ -137,18 +140,23 @@ bool any_bend_springs(const Model& model) {
                      [](const Body& body) { return body.grid && body.stiffness.bend > 0; });
 }
 
-Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs, const multigrid::Smoothing& finest) {
+Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs, CycleKind kind,
+                                            const multigrid::Smoothing& finest) {
   const std::uint32_t size = inputs.workgroup_size, lone = lone_workgroup_size(inputs.device);
+  const gpu::Constant scales{"kScales", kind == CycleKind::Tets ? 1.0 : 0.0};
   using K = SharedKernels;
   const Row<K> table[] = {
       {&K::predict, "predict", size},
       {&K::finish, "finish", size, {holds(inputs)}},
-      {&K::begin_solve, "begin_solve", size, {pairs(inputs)}},
+      {&K::begin_solve, "begin_solve", size, {pairs(inputs), scales}},
       {&K::go_on, "go_on", size, {pairs(inputs), holds(inputs)}},
       {&K::predict_again, "predict_again", size, {pairs(inputs), holds(inputs)}},
-      {&K::begin_again, "begin_solve", size, {pairs(inputs), holds(inputs), again(), first_sweep(finest)}},
-      {&K::begin_measure, "begin_solve", size, {again(), measures()}},
-      {&K::advance, "advance", size, {first_sweep(finest)}},
+      {&K::begin_again,
+       "begin_solve",
+       size,
+       {pairs(inputs), holds(inputs), again(), first_sweep(finest), scales}},
+      {&K::begin_measure, "begin_solve", size, {again(), measures(), scales}},
+      {&K::advance, "advance", size, {first_sweep(finest), scales}},
       {&K::first_norm, "add_up", lone, {sum(0)}},
       {&K::square, "add_up", lone, {sum(1)}},
       {&K::first_norm_again, "add_up", lone, {sum(0), again(), last()}},
@@ -162,8 +170,10 @@ Result<SharedKernels> SharedKernels::create(const CycleInputs& inputs, const mul
   const Row<K> of_contact[] = {{&K::begin_anew, "begin_anew", size}};
   if (meets_contact(inputs)) WEFT_CHECK(create_all<K>(inputs.device, of_contact, made));
   const Row<K> of_pairs[] = {
-      {&K::pair_force, "pair_force", size},     {&K::pair_force_again, "pair_force", size, {again()}},
-      {&K::pair_product, "pair_product", size}, {&K::pair_end, "pair_end", size},
+      {&K::pair_force, "pair_force", size, {of_body(kind)}},
+      {&K::pair_force_again, "pair_force", size, {again(), of_body(kind)}},
+      {&K::pair_product, "pair_product", size},
+      {&K::pair_end, "pair_end", size},
       {&K::pair_finish, "pair_finish", size},
   };
   if (inputs.pairs != nullptr) WEFT_CHECK(create_all<K>(inputs.device, of_pairs, made));
@@ -204,7 +214,7 @@ Result<GridKernels> GridKernels::create(const CycleInputs& inputs) {
   K made;
   made.smoothing = finest;
   WEFT_CHECK(create_all<K>(inputs.device, table, made));
-  WEFT_SET(made.shared, SharedKernels::create(inputs, finest));
+  WEFT_SET(made.shared, SharedKernels::create(inputs, CycleKind::Grid, finest));
   return made;
 }
 
@@ -217,7 +227,6 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
   using K = MeshKernels;
   const gpu::Constant general{"kGeneral", of_springs ? 0.0 : 1.0};
   const gpu::Constant part{"kDiagonalPart", of_springs ? 1.0 : multigrid::kElementDiagonalPart};
-  const gpu::Constant body{"kBody", kind == CycleKind::Tets ? 1.0 : 0.0};
   const gpu::Constant taps{"kTaps", static_cast<double>(multigrid::taps_of(kind == CycleKind::Tets))};
   const Row<K> table[] = {
       {&K::galerkin, "mesh_galerkin", size, {general, part}},
@@ -238,7 +247,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
   const Row<K> gradient_of_springs[] = {
       {&K::gradient, "mesh_gradient", size, {holds(inputs), air(inputs), limits(inputs), lead(inputs)}}};
   const Row<K> gradient_of_elements[] = {
-      {&K::gradient, "element_gradient", size, {holds(inputs), air(inputs), general, part, body}}};
+      {&K::gradient, "element_gradient", size, {holds(inputs), air(inputs), general, part, of_body(kind)}}};
   WEFT_CHECK(create_all<K>(inputs.device, of_springs ? gradient_of_springs : gradient_of_elements, made));
   using F = FabricKernels;
   const Row<F> fabric[] = {{&F::membranes, "membrane_terms", size, {lead(inputs)}},
@@ -252,7 +261,7 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
   const Row<S> solid[] = {{&S::terms, "solid_terms", size, {lead(inputs)}},
                           {&S::blocks, "solid_blocks", size, {general}}};
   if (kind == CycleKind::Tets) WEFT_CHECK(create_all<S>(inputs.device, solid, made.solid));
-  WEFT_SET(made.shared, SharedKernels::create(inputs, finest));
+  WEFT_SET(made.shared, SharedKernels::create(inputs, kind, finest));
   return made;
 }
 

@@ -21,7 +21,8 @@ struct SharedKernels {
   gpu::SharedKernel add_air, add_air_again;  // none without air
 
   /// `finest`: the smoothing of the finest level. Errors  Shader.
-  static Result<SharedKernels> create(const CycleInputs& inputs, const multigrid::Smoothing& finest);
+  static Result<SharedKernels> create(const CycleInputs& inputs, multigrid::CycleKind kind,
+                                      const multigrid::Smoothing& finest);
 };
 
 /// The kernels of grids, shared by all of them. Those of the finest level recompute its matrix from the

@@ -8,21 +8,27 @@ namespace weft {
 
 using gpu::Dispatch;
 
-Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body) {
+Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels& kernels,
+                                    const multigrid::SystemBodies& bodies) {
   MeshCycle made;
+  const Body& body = bodies.first();
   const Model& model = inputs.model.host;
   const bool of_springs = multigrid::kind_of(body) == multigrid::CycleKind::Springs;
-  const ElementPairs pairs = of_springs ? ElementPairs{} : element_pairs(model, body);
+  const ElementPairs pairs = of_springs ? ElementPairs{} : element_pairs(model, bodies);
   std::vector<MeshLevel> levels = of_springs ? mesh_levels(model, body, model.springs(body))
-                                             : mesh_levels(model, body, pairs.pairs, Blocks::General);
+                                             : mesh_levels(model, bodies, pairs.pairs, Blocks::General);
   made.bottom_ =
-      multigrid::bottom_of(multigrid::mesh_scales(model, body, levels, inputs.step), multigrid::kMeshTail);
+      multigrid::bottom_of(multigrid::mesh_scales(model, bodies, levels, inputs.step), multigrid::kMeshTail);
   made.finest_ = kernels.smoothing;
   levels.resize(made.bottom_.level + 1);
   const MeshLists lists = mesh_lists(levels, inputs.corners != nullptr, body.solid.has_value());
   made.shapes_ = lists.levels;
-  WEFT_CHECK(made.create_buffers(inputs, {body}, made.shapes_,
+  WEFT_CHECK(made.create_buffers(inputs, {bodies.first_vertex(), bodies.vertex_count()}, made.shapes_,
                                  of_springs ? multigrid::kMeshTail : multigrid::kElementTail));
+  if (body.solid)
+    WEFT_SET(made.norm_scales_,
+             gpu::Buffer<float>::create_from(
+                 inputs.device, multigrid::norm_scales(model, bodies, inputs.step), "scales of norms"));
   WEFT_CHECK(made.create_lists(inputs.device, lists));
   WEFT_SET(made.blocks_,
            (gpu::Buffer<std::array<float, 2>>::create(
@@ -30,7 +36,7 @@ Result<MeshCycle> MeshCycle::create(const CycleInputs& inputs, const MeshKernels
   WEFT_CHECK(made.create_shared(inputs, kernels.shared));
   if (body.gas) WEFT_CHECK(made.create_gas(inputs, kernels.shared));
   WEFT_CHECK(of_springs ? made.create_springs(inputs, kernels, body, lists)
-                        : made.create_elements(inputs, kernels, body, pairs, lists));
+                        : made.create_elements(inputs, kernels, bodies, pairs, lists));
   WEFT_CHECK(made.create_search(inputs, kernels));
   WEFT_CHECK(made.create_levels(kernels));
   return made;
@@ -82,7 +88,8 @@ Result<void> MeshCycle::create_springs(const CycleInputs& inputs, const MeshKern
 }
 
 Result<void> MeshCycle::create_elements(const CycleInputs& inputs, const MeshKernels& kernels,
-                                        const Body& body, const ElementPairs& pairs, const MeshLists& lists) {
+                                        const multigrid::SystemBodies& bodies, const ElementPairs& pairs,
+                                        const MeshLists& lists) {
   const gpu::RawBuffer& levels = levels_[0].levels;
   const MeshSystem mesh{levels, place_, vectors_, lists_.row_starts, lists_.entries, blocks_};
   const auto create_gradient = [&](const gpu::RawBuffer& gathers,
@@ -93,12 +100,13 @@ Result<void> MeshCycle::create_elements(const CycleInputs& inputs, const MeshKer
                                lists_.row_starts, gathers, forces, presses(inputs)}));
     return {};
   };
-  if (body.solid) {
-    WEFT_SET(solid_, SolidSystem::create(inputs, kernels.solid, body, pairs, lists.entries_of[0], mesh));
+  if (bodies.first().solid) {
+    WEFT_SET(solid_, SolidSystem::create(inputs, kernels.solid, bodies, pairs, lists.entries_of[0], mesh));
     elements_ = solid_->take_stages();
     return create_gradient(solid_->gathers(), solid_->forces());
   }
-  WEFT_SET(fabric_, FabricSystem::create(inputs, kernels.fabric, body, pairs, lists.entries_of[0], mesh));
+  WEFT_SET(fabric_,
+           FabricSystem::create(inputs, kernels.fabric, bodies.first(), pairs, lists.entries_of[0], mesh));
   elements_ = fabric_->take_stages();
   return create_gradient(fabric_->elements().gathers, fabric_->elements().forces);
 }

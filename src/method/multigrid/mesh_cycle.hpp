@@ -10,11 +10,12 @@
 
 namespace weft {
 
-/// Of a cloth that is a mesh, or a body with volume.
+/// Of a cloth that is a mesh, or of bodies with volume.
 class MeshCycle : public Cycle {
  public:
   /// Errors  Limit, OutOfMemory.
-  static Result<MeshCycle> create(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body);
+  static Result<MeshCycle> create(const CycleInputs& inputs, const MeshKernels& kernels,
+                                  const multigrid::SystemBodies& bodies);
 
   /// As a substep begins: what bends leave for good.
   void record_creases(gpu::ComputePass& pass) const {
@@ -37,8 +38,9 @@ class MeshCycle : public Cycle {
   Result<void> create_lists(gpu::Device& device, const MeshLists& lists);
   Result<void> create_springs(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
                               const MeshLists& lists);
-  Result<void> create_elements(const CycleInputs& inputs, const MeshKernels& kernels, const Body& body,
-                               const ElementPairs& pairs, const MeshLists& lists);
+  Result<void> create_elements(const CycleInputs& inputs, const MeshKernels& kernels,
+                               const multigrid::SystemBodies& bodies, const ElementPairs& pairs,
+                               const MeshLists& lists);
   Result<void> create_search(const CycleInputs& inputs, const MeshKernels& kernels);
   Result<void> create_levels(const MeshKernels& kernels);
 
@@ -46,7 +48,7 @@ class MeshCycle : public Cycle {
   ListBuffers lists_;
   gpu::Buffer<Vec4f> springs_;                // of entries
   std::optional<FabricSystem> fabric_;        // instead of springs
-  std::optional<SolidSystem> solid_;          // of a body with volume
+  std::optional<SolidSystem> solid_;          // of bodies with volume
   gpu::Buffer<std::array<float, 2>> blocks_;  // three an entry of springs, else five
 };
 

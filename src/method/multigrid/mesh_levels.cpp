@@ -6,23 +6,22 @@
 namespace weft {
 namespace {
 
-mesh::Network network_of(const Model& model, const Body& body, std::span<const mesh::Edge> pairs) {
+mesh::Network network_of(const Model& model, const multigrid::SystemBodies& bodies,
+                         std::span<const mesh::Edge> pairs) {
   mesh::Network network;
-  for (std::uint32_t v = 0; v < body.vertex_count; ++v)
-    network.positions.push_back(model.rest_position[body.first_vertex + v]);
-  network.triangles = cloth_mesh(model, body).triangles;
-  if (!body.solid) {
+  const std::uint32_t first = bodies.first_vertex();
+  const auto nodes = std::span(model.rest_position).subspan(first, bodies.vertex_count());
+  network.positions.assign(nodes.begin(), nodes.end());
+  for (const Body& body : bodies.bodies) {
+    const std::uint32_t own = body.first_vertex - first;
+    for (const auto& [a, b, c] : own_triangles(model, body))
+      network.triangles.push_back({own + a, own + b, own + c});
+    for (const auto& [a, b, c, d] : body.tets) network.tets.push_back({own + a, own + b, own + c, own + d});
+  }
+  if (!bodies.first().solid)
     network.edges = mesh::mesh_edges(network.triangles);
-    return network;
-  }
-  const ElementTable& tets = model.elements(ElementKind::Tet, body);
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    mesh::Tet tet;
-    std::copy_n(tets.nodes_of(t).begin(), tet.size(), tet.begin());
-    for (std::uint32_t& node : tet) node -= body.first_vertex;
-    network.tets.push_back(tet);
-  }
-  network.edges.assign(pairs.begin(), pairs.end());
+  else
+    network.edges.assign(pairs.begin(), pairs.end());
   return network;
 }
 
@@ -113,14 +112,14 @@ std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const S
   std::vector<mesh::Edge> pairs;
   for (const Spring spring : springs)
     pairs.push_back({spring.node_a - body.first_vertex, spring.node_b - body.first_vertex});
-  return mesh_levels(model, body, pairs, Blocks::Symmetric);
+  return mesh_levels(model, {{&body, 1}}, pairs, Blocks::Symmetric);
 }
 
-std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, std::span<const mesh::Edge> pairs,
-                                   Blocks blocks) {
-  mesh::Network network = network_of(model, body, pairs);
+std::vector<MeshLevel> mesh_levels(const Model& model, const multigrid::SystemBodies& bodies,
+                                   std::span<const mesh::Edge> pairs, Blocks blocks) {
+  mesh::Network network = network_of(model, bodies, pairs);
   std::vector<MeshLevel> levels(1);
-  levels[0].node_count = body.vertex_count;
+  levels[0].node_count = bodies.vertex_count();
   set_rows(levels[0], pairs);
   while (network.positions.size() > kLeastNodes) {
     mesh::CoarseMesh coarse = mesh::coarsened(network);

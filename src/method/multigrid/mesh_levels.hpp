@@ -8,6 +8,7 @@
 
 #include "base/lists.hpp"
 #include "mesh/coarse_mesh.hpp"
+#include "method/multigrid/systems.hpp"
 #include "model/model.hpp"
 
 namespace weft {
@@ -48,10 +49,10 @@ inline constexpr std::uint32_t kLeastNodes = 25;
 /// Whether blocks of two nodes are symmetric, as those of springs are: then none is taken transposed.
 enum class Blocks { Symmetric, General };
 
-/// The levels of a cloth, the finest first. Of that, block node_count + p is that of pairs[p], two nodes of the cloth,
+/// The levels of a cloth or of bodies, the finest first. Of that, block node_count + p is that of pairs[p], two nodes,
 /// whose numbers count from 0; no two pairs are the same.
-std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, std::span<const mesh::Edge> pairs,
-                                   Blocks blocks);
+std::vector<MeshLevel> mesh_levels(const Model& model, const multigrid::SystemBodies& bodies,
+                                   std::span<const mesh::Edge> pairs, Blocks blocks);
 /// Those of a cloth of springs: a pair is a spring.
 std::vector<MeshLevel> mesh_levels(const Model& model, const Body& body, const Springs& springs);
 

@@ -47,9 +47,11 @@ fn pair_end(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     let kept = max(0.0, borne - alone * max(0.0, hold.start.w));
     contacts[number].force = vec4f(kept * n + no_longer(along, hold.force.w * kept), 0.0);
     contacts[number].held = select(0u, kSolved, borne > 0.0);
+    let of_two = (contacts[number].other_end & kOfTwoBodies) != 0u;
     for (var role = 0u; role < 4u; role++) {
       let vertex = hold.ids[role] & kIdBits;
       if (place[among_all(hold, role)].w == 0.0) { continue; }
+      if (of_two) { atomicStore(&pair_sums[kSumWords * vertex + kOfOtherWord], 1u); }
       add_pair_sum(vertex, (w[role] * position[vertex].w / hold.place.z) * change);
     }
   }

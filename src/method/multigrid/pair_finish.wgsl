@@ -3,6 +3,7 @@
 #include "gpu/index.wgsl"
 #include "method/multigrid/cloth.wgsl"
 #include "state/pair_sums.wgsl"
+const kHeldByOther = -3.0;  // of a velocity's w: the node's body does not go free. Mirror: method/pieces/sum_steps.wgsl
 //                                                                              elements       unit
 @group(0) @binding(0) var<uniform>             nodes     : ClothNodes;
 @group(0) @binding(1) var<storage, read>       place     : array<vec4f>;     // count          w: N/m, 0: fixed
@@ -17,8 +18,10 @@ fn pair_finish(@builtin(global_invocation_id) id : vec3u) {
   let vertex = nodes.first_vertex + among_all;
   if (!is_held_by_pairs(vertex)) { return; }
   let change = take_pair_sum(vertex);
+  let by_other = pair_sums[kSumWords * vertex + kOfOtherWord] != 0u;
   pair_sums[kSumWords * vertex] = 0u;
+  pair_sums[kSumWords * vertex + kOfOtherWord] = 0u;
   if (place[among_all].w == 0.0) { return; }
   let v = velocity[vertex];
-  velocity[vertex] = vec4f(v.xyz + change, min(v.w, 0.0));
+  velocity[vertex] = vec4f(v.xyz + change, select(min(v.w, 0.0), kHeldByOther, by_other && v.w >= 0.0));
 }

@@ -16,12 +16,23 @@
 @group(0) @binding(7) var<storage, read_write> pair_sums  : array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read>       velocity   : array<vec4f>;      // vertex_count    m/s
 override kAgain : bool = false;  // true: of the second system
+override kBody : bool = false;   // true: of bodies with volume
 
 // n·D⁻¹n, m/N.
 fn along_inverse(all : u32, n : vec3f) -> f32 {
   let a = vectors[vector_of(kInverse, all)];
   let b = vectors[vector_of(kInverse + 1u, all)].xy;
   return dot(a.xyz, n * n) + 2.0 * (a.w * n.y * n.z + b.x * n.x * n.z + b.y * n.x * n.y);
+}
+
+// Of the sides of a pair of bodies, by their compliances: that of the stiffer one, but no more than so much stiffer
+// than the softer one, each the geometric mean of both, N/m. One that does not move has none.
+const kMostStiffer = 10.0;
+fn stiffness_of(side : vec2f) -> f32 { return select(0.0, 1.0 / sqrt(side.x * side.y), side.x > 0.0); }
+fn stiffness_of_bodies(sides : mat2x2f) -> f32 {
+  let a = stiffness_of(sides[0]);
+  let b = stiffness_of(sides[1]);
+  return select(max(a, b), min(max(a, b), kMostStiffer * min(a, b)), min(a, b) > 0.0);
 }
 
 fn completed(given : PairHold) -> PairHold {
@@ -34,6 +45,7 @@ fn completed(given : PairHold) -> PairHold {
   var compliance = 0.0;   // m/N
   var mobility = 0.0;     // 1/kg
   var local = 0.0;        // m/N, with all neighbours fixed
+  var of_sides : mat2x2f;  // both, of either side
   for (var role = 0u; role < 4u; role++) {
     let all = among_all(hold, role);
     let vertex = hold.ids[role] & kIdBits;
@@ -46,6 +58,7 @@ fn completed(given : PairHold) -> PairHold {
     let shares = abs(w[role]) * f32(atomicLoad(&pair_sums[kSumWords * vertex])) / kHeldUnits;
     compliance += shares / at.w;
     local += shares * along_inverse(all, n);
+    if (kBody) { of_sides[select(0u, 1u, w[role] < 0.0)] += shares * vec2f(1.0 / at.w, along_inverse(all, n)); }
     mobility += shares * position[vertex].w;
   }
   let kept = hold.along.xyz;
@@ -67,6 +80,7 @@ fn completed(given : PairHold) -> PairHold {
   let closes = gap_before + dot(n, start) < kCloses * min(gap_before, thickness);
   // The compliance of what hangs together lies between that of its masses and that with all neighbours fixed.
   hold.normal.w = kPairStiffness / select(compliance, sqrt(local * compliance), kAgain && closes);
+  if (kBody) { hold.normal.w = kPairStiffness * stiffness_of_bodies(of_sides); }
   hold.along = vec4f(along, 1.0 / compliance);
   hold.force = vec4f(normal, lack, restored, hold.force.w);
   hold.place = vec4f(given.place.xy, mobility, 1.0 / compliance);

@@ -8,7 +8,7 @@
 
 namespace weft {
 
-/// Tetrahedra in the linear system of a body with volume.
+/// Tetrahedra in the linear system of bodies with volume.
 /// Source  docs/bodies.md, All nodes at once.
 /// Reads   steps; the cycle's place, and the start of its unknown.
 /// Writes  the matrix of the finest level without inertia, and forces of tetrahedra.
@@ -16,9 +16,9 @@ namespace weft {
 class SolidSystem {
  public:
   /// `blocks`: the entries of each block of the finest level.
-  static Result<SolidSystem> create(const CycleInputs& inputs, const SolidKernels& kernels, const Body& body,
-                                    const ElementPairs& pairs, std::span<const BlockEntries> blocks,
-                                    const MeshSystem& mesh);
+  static Result<SolidSystem> create(const CycleInputs& inputs, const SolidKernels& kernels,
+                                    const multigrid::SystemBodies& bodies, const ElementPairs& pairs,
+                                    std::span<const BlockEntries> blocks, const MeshSystem& mesh);
 
   /// Rows of nodes, then their places in `forces`.
   const gpu::Buffer<std::uint32_t>& gathers() const { return gathers_; }
@@ -27,9 +27,9 @@ class SolidSystem {
   std::vector<gpu::Dispatch> take_stages() { return std::move(stages_); }
 
  private:
-  SolidBuffers elements_;
-  gpu::Buffer<Vec4f> terms_;   // src/method/multigrid/solid_term.wgsl
-  gpu::Buffer<Vec4f> forces_;  // four a tetrahedron [N]
+  std::vector<SolidBuffers> elements_;  // of each body
+  gpu::Buffer<Vec4f> terms_;            // src/method/multigrid/solid_term.wgsl
+  gpu::Buffer<Vec4f> forces_;           // four a tetrahedron [N]
   gpu::Buffer<std::uint32_t> gathers_;
   BlockParts parts_;
   std::vector<gpu::Dispatch> stages_;

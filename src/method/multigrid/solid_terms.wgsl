@@ -14,8 +14,8 @@
 @group(0) @binding(4) var<storage, read>       rests   : array<vec4f>;    // 3 * tets      1/m, m³: solid_buffers.hpp
 @group(0) @binding(5) var<storage, read>       place   : array<vec4f>;    // node_count    m
 @group(0) @binding(6) var<storage, read>       vectors : array<vec4f>;    // method/multigrid/cloth.wgsl
-@group(0) @binding(7) var<storage, read_write> terms   : array<vec4f>;    // method/multigrid/solid_term.wgsl
-@group(0) @binding(8) var<storage, read_write> forces  : array<vec4f>;    // 4 * tets      N
+@group(0) @binding(7) var<storage, read_write> terms   : array<vec4f>;    // of all bodies: solid_term.wgsl
+@group(0) @binding(8) var<storage, read_write> forces  : array<vec4f>;    // 4, of all     N
 
 fn vector_of(vector : u32, node : u32) -> vec3f { return vectors[vector_at(levels[0], vector, node)].xyz; }
 
@@ -59,14 +59,15 @@ fn solid_terms(@builtin(global_invocation_id) id : vec3u) {
     stress += tet_damping_stress(law, f + damping_lead(lead) * way, change_of(rest, kSecond, at));
   }
   let own = tet_forces(rest, stress);
-  forces[4u * tet] = own.a;
-  forces[4u * tet + 1u] = own.b;
-  forces[4u * tet + 2u] = own.c;
-  forces[4u * tet + 3u] = own.d;
+  let among_all = solid.first_tet + tet;
+  forces[4u * among_all] = own.a;
+  forces[4u * among_all + 1u] = own.b;
+  forces[4u * among_all + 2u] = own.c;
+  forces[4u * among_all + 3u] = own.d;
 
   let rate = 1.0 / formula_of(step.time.step_ratio).he;
   var held = elastic;
   if (!kLeads) { held = held_tet_hessian(law, frame, elastic, way); }
   let damped = tet_hessian_sum(held, tet_hessian_scaled(rate, tet_damping_hessian(law, frame)));
-  store_tet_term(tet, frame, rest, tet_hessian_scaled(rest.volume, damped));
+  store_tet_term(among_all, frame, rest, tet_hessian_scaled(rest.volume, damped));
 }

@@ -32,6 +32,7 @@ void SolverMultigrid::record(gpu::ComputePass& pass, const contact::Stages& cont
   };
   for (const GridCycle& cycle : grids_) record_rest(cycle);
   for (const MeshCycle& cycle : meshes_) record_rest(cycle);
+  joined_.record(pass);
   pieces_.record(pass);
   contact.search(pass);
   contact.measure(pass);
@@ -72,21 +73,23 @@ Result<void> SolverMultigrid::create_cycles(const CycleInputs& inputs) {
   std::optional<GridKernels> grid_kernels;
   std::map<multigrid::CycleKind, MeshKernels> mesh_kernels;
   const std::span<const Body> bodies = inputs.model.host.bodies;
-  for (std::size_t b = 0; b < bodies.size();) {
-    const Body& body = bodies[b];
+  const std::vector<multigrid::SystemBodies> systems = multigrid::systems_of(inputs.model.host);
+  for (std::size_t s = 0; s < systems.size();) {
+    const Body& body = systems[s].first();
     const multigrid::CycleKind kind = multigrid::kind_of(body);
     if (kind == multigrid::CycleKind::Grid) {
-      const std::uint32_t count = equal_grids(
-          bodies.subspan(b), most_cloths(body, inputs.device.limits(), inputs.corners != nullptr));
+      const std::uint32_t count =
+          equal_grids(bodies.subspan(static_cast<std::size_t>(&body - bodies.data())),
+                      most_cloths(body, inputs.device.limits(), inputs.corners != nullptr));
       if (!grid_kernels) WEFT_SET(grid_kernels, GridKernels::create(inputs));
       WEFT_TRY(cycle, GridCycle::create(inputs, *grid_kernels, {body, count}));
       grids_.push_back(std::move(cycle));
-      b += count;
+      s += count;
     } else {
       if (!mesh_kernels.contains(kind)) WEFT_SET(mesh_kernels[kind], MeshKernels::create(inputs, kind));
-      WEFT_TRY(cycle, MeshCycle::create(inputs, mesh_kernels[kind], body));
+      WEFT_TRY(cycle, MeshCycle::create(inputs, mesh_kernels[kind], systems[s]));
       meshes_.push_back(std::move(cycle));
-      ++b;
+      ++s;
     }
   }
   set_iterations(inputs.device, kAtFirst);
@@ -103,7 +106,9 @@ Result<std::unique_ptr<Solver>> SolverMultigrid::create(const SolverInputs& inpu
       inputs.pairs(), residual, inputs.workgroup_size, inputs.air ? &made->corners_ : nullptr,
       made->gas_.any() ? &made->gas_ : nullptr, inputs.presses() == nullptr ? newton_steps : 0});
   WEFT_CHECK(made->create_cycles(*made->inputs_));
-  WEFT_SET(made->pieces_, PieceMotion::create_of_steps(inputs));
+  if (inputs.pairs() != nullptr)
+    WEFT_SET(made->joined_, PieceMotion::create_of_steps(inputs, PiecesOf::Solids));
+  WEFT_SET(made->pieces_, PieceMotion::create_of_steps(inputs, PiecesOf::Bodies));
   return std::unique_ptr<Solver>(std::move(made));
 }
 

@@ -33,7 +33,7 @@ class SolverMultigrid : public Solver {
   gpu::Buffer<std::uint32_t> corners_;  // where the air pushes
   std::vector<GridCycle> grids_;
   std::vector<MeshCycle> meshes_;
-  PieceMotion pieces_;
+  PieceMotion joined_, pieces_;   // of all bodies together; of each cloth and body
   std::uint32_t iterations_ = 0;  // that are recorded
   std::uint32_t most_seen_ = 0;   // that frames took since then
   std::uint32_t frames_seen_ = 0;

@@ -1,5 +1,7 @@
 #include "method/pieces/free_pieces.hpp"
 
+#include <algorithm>
+
 #include "model/node_groups.hpp"
 
 namespace weft {
@@ -19,14 +21,29 @@ void join_all(const Body& body, NodeGroups& groups) {
     groups.join(body.first_vertex, body.first_vertex + node);
 }
 
+bool has_several_solids(const Model& model) {
+  return std::count_if(model.bodies.begin(), model.bodies.end(),
+                       [](const Body& body) { return body.solid.has_value(); }) > 1;
+}
+
 }  // namespace
 
 FreePieces free_pieces(const Model& model, PiecesOf of) {
+  if (of == PiecesOf::Solids && !has_several_solids(model)) return {{}, {0}};
   const auto count = static_cast<std::uint32_t>(model.vertex_count());
   NodeGroups groups(count);
-  for (const Body& body : model.bodies)
-    of == PiecesOf::Elements ? join_by_elements(model, body, groups) : join_all(body, groups);
+  const Body* joined = nullptr;
   std::vector<bool> is_held(count);
+  for (const Body& body : model.bodies) {
+    of == PiecesOf::Elements ? join_by_elements(model, body, groups) : join_all(body, groups);
+    if (of != PiecesOf::Solids) continue;
+    if (!body.solid) {
+      is_held[groups.of(body.first_vertex)] = true;
+    } else {
+      if (joined != nullptr) groups.join(joined->first_vertex, body.first_vertex);
+      joined = &body;
+    }
+  }
   std::vector<std::uint32_t> size(count);
   for (std::uint32_t node = 0; node < count; ++node) {
     ++size[groups.of(node)];

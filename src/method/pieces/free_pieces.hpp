@@ -16,7 +16,9 @@ struct FreePieces {
 };
 
 /// Of nodes that elements hold together; or of whole bodies, for methods in whose steps parts of one act on each other.
-enum class PiecesOf { Elements, Bodies };
+/// Solids: all bodies with volume together, where there are several, and nothing else; for methods that have these in
+/// one matrix.
+enum class PiecesOf { Elements, Bodies, Solids };
 FreePieces free_pieces(const Model& model, PiecesOf of);
 
 }  // namespace weft

@@ -62,15 +62,16 @@ Result<PieceMotion> PieceMotion::create_of_ways(const SolverInputs& inputs, cons
   return made;
 }
 
-Result<PieceMotion> PieceMotion::create_of_steps(const SolverInputs& inputs) {
+Result<PieceMotion> PieceMotion::create_of_steps(const SolverInputs& inputs, PiecesOf of) {
   PieceMotion made;
   const std::vector<Body>& bodies = inputs.model.host.bodies;
   if (inputs.air || std::any_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.gas; }))
     return made;
-  WEFT_TRY(any, made.create_lists(inputs, PiecesOf::Bodies));
+  WEFT_TRY(any, made.create_lists(inputs, of));
   if (!any) return made;
   const State& state = inputs.state;
-  WEFT_TRY(sum, gpu::create_shared_kernel(inputs.device, "method/pieces/sum_steps.wgsl", {},
+  const gpu::Constant joins{"kJoins", of == PiecesOf::Solids ? 1.0 : 0.0};
+  WEFT_TRY(sum, gpu::create_shared_kernel(inputs.device, "method/pieces/sum_steps.wgsl", {joins},
                                           inputs.workgroup_size));
   WEFT_SET(made.sum_,
            gpu::Dispatch::create_by_parity(

@@ -30,7 +30,8 @@ class PieceMotion {
   ///         position[1 - parity] [m].
   /// Writes  SolverInputs::predicted [m/s].
   /// Errors  Shader, Limit, OutOfMemory.
-  static Result<PieceMotion> create_of_steps(const SolverInputs& inputs);
+  /// `of`: Bodies, or before that Solids, which pairs of two bodies hold.
+  static Result<PieceMotion> create_of_steps(const SolverInputs& inputs, PiecesOf of);
   void record(gpu::ComputePass& pass) const;
 
  private:

@@ -15,7 +15,13 @@
 @group(0) @binding(7) var<storage, read>       velocity_out : array<vec4f>;   // vertex_count   m/s (w < 0: held)
 @group(0) @binding(8) var<storage, read_write> sums         : array<vec4f>;   // kPieceColumns * chunks
 
-fn goes_free(node : u32) -> bool { return velocity_out[node].w >= 0.0 && !is_grabbed(node); }
+override kJoins : bool = false;  // true: pieces of several bodies, which may hold each other
+const kHeldByOther = -3.0;       // of a velocity's w: mirror: method/multigrid/pair_finish.wgsl
+
+fn goes_free(node : u32) -> bool {
+  let w = velocity_out[node].w;
+  return (w >= 0.0 || (kJoins && w == kHeldByOther)) && !is_grabbed(node);
+}
 
 fn sums_of(node : u32, first_node : u32) -> mat4x4f {
   if (!goes_free(node)) { return held_sums(); }

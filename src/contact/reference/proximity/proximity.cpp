@@ -31,7 +31,7 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
       restitution_(scene.contact.restitution),
       load_(scene.gravity + scene.external_force),
       impulses_(impulse_rule(model, scene.contact, step)),
-      own_push_time_(own_push_time(model, solved.pairs)),
+      push_times_(solved.pairs ? push_times(model) : PushTimes{}),
       separations_(contact_iterations(step)),
       limited_edges_(limited_edges(model)),
       cloth_(features_of(model.rest_position, model.triangles)),
@@ -54,7 +54,8 @@ Proximity::Proximity(const scene::Scene& scene, const Model& model,
   if (scene.contact.self) self_thickness_ = weft::self_thickness(model, thickness_);
   for (std::size_t c = 0; c < model.bodies.size(); ++c) {
     body_.insert(body_.end(), model.bodies[c].vertex_count, static_cast<std::uint32_t>(c));
-    cloth_.cloths.insert(cloth_.cloths.end(), model.bodies[c].vertex_count, contact_number(model, c));
+    cloth_.cloths.insert(cloth_.cloths.end(), model.bodies[c].vertex_count,
+                         contact_number(model, c, solved.pairs));
     friction_.insert(friction_.end(), model.bodies[c].vertex_count, scene.cloths[c].friction);
   }
   cloth_facts_.rest = model.rest_position;
@@ -180,7 +181,12 @@ NearPair Proximity::near_pair(const FeaturePair& pair, const Sides& sides, bool 
     }
   const bool with_obstacle = sides.a.obstacle || sides.b.obstacle;
   near.with_body = with_obstacle;
-  near.of_one_cloth = !with_obstacle && body_[near.nodes[0]] == body_[near.nodes[near.node_count - 1]];
+  if (!with_obstacle) {
+    const std::uint32_t a = cloth_.cloths[near.nodes[0]], b = cloth_.cloths[near.nodes[near.node_count - 1]];
+    near.of_one_system = are_of_one_system(a, b);
+    near.of_bodies = (a & b & kIsJoined) != 0;
+    near.of_two_bodies = near.of_bodies && a != b;
+  }
   near.direction = pair.direction;
   near.distance = pair.distance;
   near.thickness = with_obstacle ? thickness_ : untangles ? self_thickness_ : thickness_of(pair, sides);
@@ -314,6 +320,7 @@ void Proximity::add_limits(const FeaturePair& pair, const NearPair& near, bool a
   both.gap = pair.distance;
   both.tangled = std::any_of(both.nodes.begin(), both.nodes.begin() + both.count_a + both.count_b,
                              [&](std::uint32_t v) { return tangle_.with_cloth[v] || tangle_.with_mesh[v]; });
+  both.of_two_bodies = near.of_two_bodies;
   cloth.push_back(both);
 }
 
@@ -338,7 +345,7 @@ std::vector<Press> Proximity::presses(std::span<const Vec3d> position, std::span
   pressed_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const NearPair& one = near[p];
-    if (!one.of_one_cloth || !one.may || !(one.distance > 0)) continue;
+    if (!one.of_one_system || !one.may || !(one.distance > 0)) continue;
     if (tangle_.crossings > 0 && one.kept == Vec3d{}) continue;  // it may be on the wrong side
     const double way = dt * dot(one.direction, relative_velocity(one, velocity));
     if (one.distance + std::min(way, 0.0) < kContactTouching * one.thickness)
@@ -397,7 +404,7 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
   for (std::size_t i = 0; i < nodes.position.size(); ++i)
     expected.push_back(nodes.previous[i] + dt * nodes.velocity[i]);
   Response response = respond(near, nodes.velocity, nodes.inverse_mass,
-                              {dt, restitution_, load_, impulses_, own_push_time_}, rigid_.movables());
+                              {dt, restitution_, load_, impulses_, push_times_}, rigid_.movables());
   kept_.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p)
     if (response.acts[p] && !near[p].untangles) kept_.push_back({pairs[p], response.impulses[p] / dt});

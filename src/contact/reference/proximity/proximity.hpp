@@ -130,7 +130,7 @@ class Proximity {
   double restitution_;
   Vec3d load_;
   ImpulseRule impulses_;
-  double own_push_time_;       // of pairs of one cloth [s]
+  PushTimes push_times_;
   std::uint32_t separations_;  // rounds
   std::vector<LimitedEdge> limited_edges_;
   std::vector<double> friction_;     // of each vertex's cloth

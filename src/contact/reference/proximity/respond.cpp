@@ -101,7 +101,8 @@ double push_of(const NearPair& pair, bool left, const ContactLaw& law) {
   const double spared = left ? kHeldLack * pair.thickness : 0;
   const double lack = std::clamp(pair.thickness - spared - pair.distance, 0.0, pair.thickness);
   const double part = kPushPart * std::min(1.0, lack / (kSoftLack * pair.thickness));
-  const double time = pair.of_one_cloth ? std::min(law.dt, law.own_push_time) : law.dt;
+  const double longest = pair.of_bodies ? law.push_times.of_bodies : law.push_times.of_one_cloth;
+  const double time = pair.of_one_system ? std::min(law.dt, longest) : law.dt;
   return std::min(part * lack, kPushSpeed * time);
 }
 
@@ -158,7 +159,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     const bool strikes = pair.with_body && pair.distance + law.dt * u_n < (1 - kHeldLack) * pair.thickness;
     for (std::uint32_t k = 0; k < pair.node_count; ++k) {
       if (pair.weights[k] == 0) continue;
-      if (!pair.with_body && (!pair.of_one_cloth || pair.untangles))
+      if (!pair.with_body && (!pair.of_one_system || pair.untangles))
         response.beside_cloth[pair.nodes[k]] = true;
       if (strikes) response.struck[pair.nodes[k]] = true;
     }

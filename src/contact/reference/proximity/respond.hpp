@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "base/mat3.hpp"
 #include "contact/reference/proximity/rigid.hpp"
 #include "contact/rules/contact_law.hpp"
+#include "contact/rules/yielding_edges.hpp"
 
 namespace weft::reference {
 
@@ -43,7 +43,9 @@ struct NearPair {
   bool solved = false;     // the same of cloth with cloth: `kept` is the force that it has now
   bool untangles =
       false;  // it separates features on the wrong side, equation (7); d: minus the part of that speed
-  bool of_one_cloth = false;
+  bool of_one_system = false;           // are_of_one_system
+  bool of_bodies = false;               // of these, features of bodies with volume
+  bool of_two_bodies = false;           // of these, of two
   std::optional<RoundAxis> round;       // of the obstacle
   std::optional<CurvedSurface> curved;  // likewise
   /// Of a rigid body, which the pair's impulse moves.
@@ -60,7 +62,7 @@ struct ContactLaw {
   double restitution = 0;  // e
   Vec3d load;              // a: of gravity and the external force [m/s²]
   ImpulseRule impulses;
-  double own_push_time = std::numeric_limits<double>::infinity();  // of pairs of one cloth: equation (5a) [s]
+  PushTimes push_times;
 };
 
 struct Response {

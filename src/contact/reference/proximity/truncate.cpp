@@ -84,7 +84,7 @@ class Truncation {
         if (all.back().shifts[k] != 0) ++shares[pair.nodes[k]];
     };
     for (const ClothPair& pair : pairs_)
-      if (!pair.tangled && may_meet(pair, ways_.start, ways_.end)) count(pair);
+      if (!pair.tangled && !pair.of_two_bodies && may_meet(pair, ways_.start, ways_.end)) count(pair);
     for (const LimitedEdge& edge : ways_.edges)
       if (const std::optional<ClothPair> ends = too_long(edge)) count(*ends);
     std::vector<Vec3d> move(held_.size()), change(held_.size());
@@ -107,7 +107,8 @@ class Truncation {
     return !all.empty();
   }
 
-  /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes.
+  /// Marks the vertices of pairs that may meet on the way, but for pairs that end before their planes, or are
+  /// of two bodies.
   bool find_meeting() {
     part_ = 1;
     bool any = false;
@@ -120,6 +121,7 @@ class Truncation {
       const double then = sides_of(pair, [&](std::uint32_t node) { return ways_.end[node]; }).apart();
       const double least = std::min(0.5 * std::max(pair.gap, pair.margin), pair.apart);
       if (then < least) part_ = std::min(part_, std::clamp((pair.gap - least) / (pair.gap - then), 0.0, 1.0));
+      if (pair.of_two_bodies) continue;
       for (std::uint32_t k = 0; k < pair.count_a + pair.count_b; ++k) marked_.push_back(pair.nodes[k]);
     }
     met_ = met_ || any;

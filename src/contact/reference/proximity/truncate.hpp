@@ -37,6 +37,7 @@ struct ClothPair {
   double apart = 0;                      // how far apart along the normal they have to end [m]
   double gap = 0;                        // how far apart they begin [m]
   bool tangled = false;                  // a vertex belongs to a crossing: held back, not separated
+  bool of_two_bodies = false;            // of one system: for them the substep ends before its time
 };
 
 /// The motion of the vertices in a substep.

@@ -11,10 +11,11 @@
 
 namespace weft::reference {
 
-/// Pairs that are held apart, and which nodes of the cloth are fixed.
+/// Pairs that are held apart, which nodes of the cloth are fixed, and what a node's part of a norm counts; none: 1.
 struct HeldPairs {
   std::span<const PairHold> holds;
   const std::vector<bool>* fixed = nullptr;
+  std::span<const float> norm_scales{};
 };
 
 struct Solution {
@@ -46,7 +47,8 @@ Solution solve(const Cycle<Matrix>& hierarchy, Field r, const Field& guess, std:
   Solution found{Field(r.size())};
   const auto norm = [&] {
     double square = 0;
-    for (std::size_t n = 0; n < r.size(); ++n) square += dot(r[n], inverse[n] * r[n]);
+    for (std::size_t n = 0; n < r.size(); ++n)
+      square += (pairs.norm_scales.empty() ? 1 : pairs.norm_scales[n]) * dot(r[n], inverse[n] * r[n]);
     return std::sqrt(square);
   };
   const auto go_along = [&](const Field& p, double rho) {

@@ -92,11 +92,12 @@ void hold_at_obstacles(StepStart& step, std::span<const Press> presses, std::spa
 }
 
 /// Of what pulls all nodes alike: the norm in which a system's residual is measured. `way`: that in a substep [m].
-double weight_norm(const StepStart& step, const std::vector<Sym3>& inverse, const Vec3d& way) {
+double weight_norm(const StepStart& step, const std::vector<Sym3>& inverse, std::span<const float> scales,
+                   const Vec3d& way) {
   double square = 0;
   for (std::size_t a = 0; a < inverse.size(); ++a) {
     const Vec3d pull = step.inertia[a] * way;
-    if (!step.fixed[a]) square += dot(pull, inverse[a] * pull);
+    if (!step.fixed[a]) square += (scales.empty() ? 1 : scales[a]) * dot(pull, inverse[a] * pull);
   }
   return std::sqrt(square);
 }
@@ -110,13 +111,15 @@ StepFormula step_formula(double dt, double ratio) {
 ImplicitStepper::ImplicitStepper(const Model& model, double step, double residual, std::uint32_t newton_steps)
     : wanted_residual(residual),
       newton_steps_(newton_steps),
+      joined_(free_pieces(model, PiecesOf::Solids)),
       pieces_(free_pieces(model, PiecesOf::Bodies)),
       position_before_(model.vertex_count()),
       velocity_before_(model.vertex_count()) {
   std::size_t springs = 0, fabrics = 0, solids = 0;
   std::map<multigrid::CycleKind, multigrid::Smoothing> finest;
-  for (const Body& body : model.bodies) {
-    Cloth made{body.first_vertex, body.vertex_count};
+  for (const multigrid::SystemBodies& bodies : multigrid::systems_of(model)) {
+    const Body& body = bodies.first();
+    Cloth made{bodies.first_vertex(), bodies.vertex_count()};
     const multigrid::CycleKind kind = multigrid::kind_of(body);
     if (!finest.contains(kind)) finest[kind] = multigrid::finest_smoothing(model, kind, step);
     made.finest = finest[kind];
@@ -125,12 +128,15 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
         made.fabric = fabrics++;
         made.hinge_bounds = hinge::stiffness_bounds(model.plate(body));
       } else {
-        made.solid = solids++;
+        made.first_solid = solids;
+        made.solids = bodies.bodies.size();
+        solids += made.solids;
       }
-      made.parts = element_pairs(model, body);
-      made.levels = mesh_levels(model, body, made.parts.pairs, Blocks::General);
-      made.bottom =
-          multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
+      if (body.solid) made.norm_scales = multigrid::norm_scales(model, bodies, step);
+      made.parts = element_pairs(model, bodies);
+      made.levels = mesh_levels(model, bodies, made.parts.pairs, Blocks::General);
+      made.bottom = multigrid::bottom_of(multigrid::mesh_scales(model, bodies, made.levels, step),
+                                         multigrid::kMeshTail);
     } else if (body.grid) {
       made.nx = body.grid->nx;
       made.ny = body.grid->ny;
@@ -141,8 +147,8 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
     } else {
       const Springs own = model.springs(body);
       made.levels = mesh_levels(model, body, own);
-      made.bottom =
-          multigrid::bottom_of(multigrid::mesh_scales(model, body, made.levels, step), multigrid::kMeshTail);
+      made.bottom = multigrid::bottom_of(multigrid::mesh_scales(model, bodies, made.levels, step),
+                                         multigrid::kMeshTail);
       made.first_spring = springs;
       springs += own.size();
     }
@@ -263,8 +269,9 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   const double rate = 1 / step_formula(dt, ratio).he;
   if (cloth.fabric)
     add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, cloth.hinge_bounds, rate);
-  else if (cloth.solid)
-    add_solid(step, system.solids[*cloth.solid].tets, cloth.parts, rate);
+  else if (cloth.solids > 0)
+    add_solids(step, std::span(system.solids).subspan(cloth.first_solid, cloth.solids), cloth.first,
+               cloth.parts, rate);
   else
     add_springs(step, std::span(system.springs).subspan(cloth.first_spring, blocks.size() - cloth.count),
                 cloth.first, rate);
@@ -275,7 +282,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   if (!presses.empty())
     hold_at_obstacles(
         step, presses.subspan(cloth.first, cloth.count), std::span(hold_forces_).subspan(cloth.first),
-        cloth.solid ? std::span<const Sym3>(blocks) : std::span<const Sym3>{}, system, cloth.first, dt,
+        cloth.solids > 0 ? std::span<const Sym3>(blocks) : std::span<const Sym3>{}, system, cloth.first, dt,
         !ways.empty(), [&](std::size_t a, const Sym3& hold) { blocks[a] += hold; });
   return step;
 }
@@ -349,8 +356,8 @@ LinearStep ImplicitStepper::linearise(const MassSpringSystem& system, const std:
 
 std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const MassSpringSystem& system,
                                                   std::span<const NearPair> pairs, double dt,
-                                                  const Cloth& cloth,
-                                                  const std::vector<Sym3>& inverse) const {
+                                                  const Cloth& cloth, const std::vector<Sym3>& inverse,
+                                                  bool again) const {
   std::vector<double> shares(cloth.count, 0);
   std::vector<std::size_t> own;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -367,6 +374,7 @@ std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const M
   std::vector<PairHold> holds;
   for (const std::size_t p : own) {
     PairHold::Sides sides{p, cloth.first};
+    std::array<double, 2> compliance{}, local{};  // of each side
     for (std::uint32_t k = 0; k < pairs[p].node_count; ++k) {
       const std::uint32_t node = pairs[p].nodes[k], a = node - cloth.first;
       const double share = step.fixed[a] ? 0 : shares[a] * std::abs(pairs[p].weights[k]);
@@ -374,9 +382,20 @@ std::vector<PairHold> ImplicitStepper::held_apart(const StepStart& step, const M
       sides.ahead += pairs[p].weights[k] * (step.fixed[a] ? step.way[a] : dt * system.velocity[node]);
       if (step.fixed[a]) continue;
       sides.pull += (pairs[p].weights[k] / step.inertia[a]) * step.residual[a];
-      sides.compliance += share / step.inertia[a];
+      const std::size_t side = pairs[p].weights[k] > 0 ? 0 : 1;
+      const double by_mass = share / step.inertia[a],
+                   by_matrix = share * dot(pairs[p].direction, inverse[a] * pairs[p].direction);
+      sides.compliance += by_mass;
       sides.mobility += share * system.inverse_mass[node];
-      if (!inverse.empty()) sides.local += share * dot(pairs[p].direction, inverse[a] * pairs[p].direction);
+      if (again) sides.local += by_matrix;
+      compliance[side] += by_mass;
+      local[side] += by_matrix;
+    }
+    if (cloth.solids > 0) {
+      const auto stiffness_of = [&](std::size_t side) {
+        return compliance[side] > 0 ? 1 / std::sqrt(compliance[side] * local[side]) : 0;
+      };
+      sides.of_bodies = stiffness_of_bodies(stiffness_of(0), stiffness_of(1));
     }
     if (const auto hold = PairHold::of(pairs[p], sides, dt)) holds.push_back(*hold);
   }
@@ -389,15 +408,15 @@ ImplicitStepper::Solved ImplicitStepper::solved(const Substep& substep, const Pr
                                                 const Enough& enough) const {
   const auto solved = [&](StepStart& step, const auto& hierarchy) -> Solved {
     step.pairs = held_apart(step, substep.system, pressed.pairs, substep.dt, cloths_[c],
-                            ways.empty() ? std::vector<Sym3>{} : hierarchy.inverse_diagonals()[0]);
+                            hierarchy.inverse_diagonals()[0], !ways.empty());
     for (const PairHold& hold : step.pairs) hold.add_force(step.residual, step.fixed);
     const double weight = pressed.presses.empty() || ways.empty()
                               ? 0
-                              : weight_norm(step, hierarchy.inverse_diagonals()[0],
+                              : weight_norm(step, hierarchy.inverse_diagonals()[0], cloths_[c].norm_scales,
                                             substep.dt * substep.dt * substep.system.acceleration);
     Solution solution =
-        solve(hierarchy, step.residual, step.guess, most_iterations, {step.pairs, &step.fixed},
-              [&](const Solution& begun) {
+        solve(hierarchy, step.residual, step.guess, most_iterations,
+              {step.pairs, &step.fixed, cloths_[c].norm_scales}, [&](const Solution& begun) {
                 const double most = enough(begun);
                 return weight > 0 ? std::min(most, multigrid::kHeldPart * wanted_residual * weight) : most;
               });
@@ -459,20 +478,28 @@ void ImplicitStepper::keep_momentum(const Substep& substep, const std::vector<So
     for (std::size_t a = 0; a < cloths_[c].count; ++a)
       goes_free[cloths_[c].first + a] = !found[c].step.fixed[a] && !found[c].step.holds[a];
   const double dt = substep.dt;
-  for_each_free_piece(
-      pieces_, [&](std::uint32_t node) { return goes_free[node]; },
-      [&](std::uint32_t node) {
-        const Vec3d fall = dt * dt * system.acceleration, after = dt * velocity[node];
-        // A step of second order falls by half of that less than its velocity at the end says.
-        const double less = known_[node] && substep.ratio > 0 ? 0.5 : 0;
-        const Vec3d beside = position[node] - system.position[node] - after + less * fall;
-        return NodeMotion{1 / system.inverse_mass[node], system.position[node],
-                          after - dt * system.velocity[node] - fall, cross(beside, after)};
-      },
-      [&](std::span<const std::uint32_t> nodes, std::span<const NodeMotion> motions) {
-        const PieceTurn turn = PieceTurn::of(motions);
-        for (const std::uint32_t node : nodes) velocity[node] += turn.at(system.position[node]) / dt;
-      });
+  const auto keep = [&](const FreePieces& pieces) {
+    for_each_free_piece(
+        pieces, [&](std::uint32_t node) { return goes_free[node]; },
+        [&](std::uint32_t node) {
+          const Vec3d fall = dt * dt * system.acceleration, after = dt * velocity[node];
+          // A step of second order falls by half of that less than its velocity at the end says.
+          const double less = known_[node] && substep.ratio > 0 ? 0.5 : 0;
+          const Vec3d beside = position[node] - system.position[node] - after + less * fall;
+          return NodeMotion{1 / system.inverse_mass[node], system.position[node],
+                            after - dt * system.velocity[node] - fall, cross(beside, after)};
+        },
+        [&](std::span<const std::uint32_t> nodes, std::span<const NodeMotion> motions) {
+          const PieceTurn turn = PieceTurn::of(motions);
+          for (const std::uint32_t node : nodes) velocity[node] += turn.at(system.position[node]) / dt;
+        });
+  };
+  if (substep.pressed) keep(joined_);
+  for (std::size_t c = 0; c < cloths_.size(); ++c)
+    for (const PairHold& hold : found[c].step.pairs)
+      if (hold.is_of_two_bodies())
+        hold.for_each_node([&](std::uint32_t a, double) { goes_free[cloths_[c].first + a] = false; });
+  keep(pieces_);
 }
 
 std::vector<ImplicitStepper::Solved> ImplicitStepper::correct(const Substep& substep) {

@@ -104,13 +104,14 @@ class ImplicitStepper : public Stepper {
     std::uint32_t first = 0, count = 0;
     std::uint32_t nx = 0, ny = 0;  // of a grid
     GridBending bending;
-    std::vector<MeshLevel> levels;      // of a mesh
-    std::size_t first_spring = 0;       // of a mesh, in the system's
-    std::optional<std::size_t> fabric;  // in the system's
-    std::optional<std::size_t> solid;   // in the system's
-    ElementPairs parts;                 // of the fabric's or the solid's matrix
-    std::vector<double> hinge_bounds;   // [N·m]
-    multigrid::Bottom bottom;           // of its cycles
+    std::vector<MeshLevel> levels;            // of a mesh
+    std::size_t first_spring = 0;             // of a mesh, in the system's
+    std::optional<std::size_t> fabric;        // in the system's
+    std::size_t first_solid = 0, solids = 0;  // in the system's: bodies that it has instead of a cloth
+    std::vector<float> norm_scales;           // of bodies: multigrid::norm_scales; else none
+    ElementPairs parts;                       // of the fabric's or the bodies' matrix
+    std::vector<double> hinge_bounds;         // [N·m]
+    multigrid::Bottom bottom;                 // of its cycles
     multigrid::Smoothing finest;
   };
 
@@ -147,14 +148,15 @@ class ImplicitStepper : public Stepper {
 
   std::uint32_t newton_steps_;
   std::vector<Cloth> cloths_;
-  FreePieces pieces_;
+  FreePieces joined_, pieces_;  // all bodies together; each cloth and body
   std::vector<Vec3d> position_before_, velocity_before_;
   std::vector<bool> known_;  // whether they are those of the step before
   std::vector<HoldForce> hold_forces_;
   std::vector<Vec3d> pair_forces_;  // of each pair of the last substep; 0: it was not held
+  /// `inverse`: of the matrix's diagonal, D⁻¹. `again`: in the second system.
   std::vector<PairHold> held_apart(const StepStart& step, const MassSpringSystem& system,
                                    std::span<const NearPair> pairs, double dt, const Cloth& cloth,
-                                   const std::vector<Sym3>& inverse) const;
+                                   const std::vector<Sym3>& inverse, bool again) const;
 
   std::vector<bool> held_;  // in the last substep, where all that pressed the node was alike
   std::uint32_t iterations_ = 0;

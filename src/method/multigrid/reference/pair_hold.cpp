@@ -29,6 +29,7 @@ std::optional<PairHold> PairHold::of(const NearPair& pair, const Sides& sides, d
   // The compliance of what hangs together lies between that of its masses and that with all neighbours fixed.
   const bool stiff = sides.local > 0 && closes;
   hold.stiffness_ = kPairStiffness / (stiff ? std::sqrt(sides.local * sides.compliance) : sides.compliance);
+  if (sides.of_bodies > 0) hold.stiffness_ = kPairStiffness * sides.of_bodies;
   hold.slip_stiffness_ = kPairSlipStiffness / sides.compliance;
   hold.sticks_ = length(hold.reach(sides.start)) <= pair.friction * hold.kept_normal_;
   return hold;

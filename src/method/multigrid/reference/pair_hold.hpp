@@ -2,6 +2,7 @@
 // Source: docs/solvers/multigrid.md, Contact.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,15 @@ inline constexpr double kPairStiffness = 2, kPairSlipStiffness = 1;
 /// its cloth.
 inline constexpr double kCloses = 0.5;
 
+/// A pair of bodies is held as its stiffer side, but no more than so much stiffer than the softer one.
+inline constexpr double kMostStiffer = 10;
+/// Of two sides, each the geometric mean of its inertia and its stiffness with all neighbours fixed; 0: that does not
+/// move [N/m].
+inline double stiffness_of_bodies(double a, double b) {
+  const double stiffer = std::max(a, b), softer = std::min(a, b);
+  return softer > 0 ? std::min(stiffer, kMostStiffer * softer) : stiffer;
+}
+
 /// Equation (16) for one pair: springs on the relative way of its sides, Σ w x.
 class PairHold {
  public:
@@ -28,11 +38,13 @@ class PairHold {
     double compliance = 0;    // Σ |w| S / a [m/N]; S: the sum of |w| of the node's pairs
     double mobility = 0;      // the same with the masses [1/kg]
     double local = 0;  // the same of the matrix's diagonal: Σ |w| S n·D⁻¹n [m/N]; 0: in the first system
+    double of_bodies = 0;  // stiffness_of_bodies(); of cloth 0 [N/m]
   };
   /// None where nothing presses the pair together.
   static std::optional<PairHold> of(const NearPair& pair, const Sides& sides, double dt);
 
   std::size_t pair() const { return sides_.pair; }
+  bool is_of_two_bodies() const { return near_.of_two_bodies; }
   void add_force(Field& residual, const std::vector<bool>& fixed) const;
   /// Adds the pair's part of A x.
   void add_product(const Field& x, Field& product, const std::vector<bool>& fixed) const;

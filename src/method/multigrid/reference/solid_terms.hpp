@@ -6,7 +6,9 @@
 
 namespace weft::reference {
 
-/// Adds tetrahedra to the residual and the matrix of a step. `rate`: of velocities by places [1/s].
-void add_solid(MeshStep& step, const tet::Tets& tets, const ElementPairs& parts, double rate);
+/// Adds the tetrahedra of bodies, whose first node is `first`, to the residual and the matrix of a step. `rate`: of
+/// velocities by places [1/s].
+void add_solids(MeshStep& step, std::span<const SolidBody> bodies, std::size_t first,
+                const ElementPairs& parts, double rate);
 
 }  // namespace weft::reference
