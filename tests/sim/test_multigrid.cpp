@@ -318,7 +318,9 @@ TEST_CASE("a frame that is cut finer goes on as the others, in the reference too
 
 TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the reference does") {
   GpuFixture fixture;
-  const std::string start = R"("solver": {"kind": "multigrid"}, "time": {"substeps": 6}, "drag": 0.5,
+  // Solved so far that kernels and double stop at the same iterations, or at such as differ by nothing.
+  const std::string start =
+      R"("solver": {"kind": "multigrid", "residual": 1e-3}, "time": {"substeps": 6}, "drag": 0.5,
       "contact": {"method": "proximity", "thickness": 0.01}, "cloths": [)";
   struct Case {
     std::string cloth, colliders;
@@ -326,7 +328,7 @@ TEST_CASE("implicit cloth meets obstacles at rest, moving and turning as the ref
   };
   for (const Case& c :
        {Case{lying_cloth(9, "[0, 0.213, 0]", R"(, "friction": 0.3)"),
-             R"({"kind": "box", "center": [0.02, 0.1, 0.01], "size": [0.2, 0.2, 0.2]})", 1e-3},
+             R"({"kind": "box", "center": [0.02, 0.1, 0.01], "size": [0.2, 0.2, 0.2]})", 1e-4},
         {lying_cloth(8, "[0, 0.222, 0]"),
          R"({"kind": "sphere", "center": [0.01, 0.1, 0.02], "radius": 0.1, "friction": 0.8,
              "motion": {"kind": "rotation", "axis": [0, 1, 0], "center": [0.01, 0.1, 0.02], "speed": 3, "angle": 100}},
