@@ -39,14 +39,6 @@ struct Stiffness {
   }
 };
 
-/// A sheet at rest.
-struct RestSheet {
-  std::span<const Vec3d> position;            // [m]
-  std::span<const mesh::Triangle> triangles;  // that have areas
-  Vec3d warp{1, 0, 0};                        // the direction of warp; triangles see it projected
-  std::span<const std::uint8_t> held{};  // nodes that do not move (1), if any: what is clamped does not bend
-};
-
 /// A point of the sheet at rest, along its axes [m].
 struct MaterialPoint {
   double warp = 0, weft = 0;
@@ -64,5 +56,24 @@ inline std::array<MaterialPoint, 3> places_of(const std::array<Vec3d, 3>& corner
   return {MaterialPoint{0, 0}, MaterialPoint{dot(side, along), dot(side, across)},
           MaterialPoint{dot(other, along), dot(other, across)}};
 }
+
+/// A sheet at rest.
+struct RestSheet {
+  std::span<const Vec3d> position;            // [m]
+  std::span<const mesh::Triangle> triangles;  // that have areas
+  Vec3d warp{1, 0, 0};                        // the direction of warp; triangles see it projected
+  std::span<const std::uint8_t> held{};  // nodes that do not move (1), if any: what is clamped does not bend
+  /// Of what is sewn: where each triangle's corners are in `position`, as it was cut. Empty: at its nodes.
+  std::span<const mesh::Triangle> cut{};
+  std::span<const Vec3d> warps{};  // of each triangle, where they differ
+
+  std::array<Vec3d, 3> corners(std::size_t triangle) const {
+    const auto& [a, b, c] = (cut.empty() ? triangles : cut)[triangle];
+    return {position[a], position[b], position[c]};
+  }
+  std::array<MaterialPoint, 3> places(std::size_t triangle) const {
+    return places_of(corners(triangle), warps.empty() ? warp : warps[triangle]);
+  }
+};
 
 }  // namespace weft

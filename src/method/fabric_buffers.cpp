@@ -47,14 +47,13 @@ std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> star
   return words;
 }
 
-std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body,
-                                      std::span<const LimitSpring> limits) {
+std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body, std::span<const Cord> cords) {
   std::vector<std::uint32_t> nodes =
       model.elements(ElementKind::Membrane, body).nodes;  // of the forces, in their order
   const ElementTable& hinges = model.elements(ElementKind::Hinge, body);
   nodes.insert(nodes.end(), hinges.nodes.begin(), hinges.nodes.end());
-  for (const LimitSpring& limit : limits)
-    nodes.insert(nodes.end(), {body.first_vertex + limit.a, body.first_vertex + limit.b});
+  for (const Cord& cord : cords)
+    nodes.insert(nodes.end(), {body.first_vertex + cord.a, body.first_vertex + cord.b});
   const mesh::Adjacency forces = places_in(nodes, body.first_vertex, body.vertex_count);
   return rows_then_entries(forces.offsets, forces.entries);
 }
@@ -91,14 +90,13 @@ Result<FabricBuffers> FabricBuffers::create(gpu::Device& device, const Model& mo
 Result<void> FabricBuffers::create_forces(gpu::Device& device, const Model& model, const Body& body) {
   const ElementTable &membranes = model.elements(ElementKind::Membrane, body),
                      &hinges_at = model.elements(ElementKind::Hinge, body);
-  const std::vector<LimitSpring> limits_at = limit_springs(model, body);
-  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(model, body, limits_at),
+  const std::vector<Cord> cords_at = cords_of(model, body);
+  WEFT_SET(gathers, gpu::Buffer<std::uint32_t>::create_from(device, gathers_of(model, body, cords_at),
                                                             "forces of nodes"));
   WEFT_SET(forces, gpu::Buffer<Vec4f>::create(
-                       device, 3 * membranes.size() + 4 * hinges_at.size() + 2 * limits_at.size(),
+                       device, 3 * membranes.size() + 4 * hinges_at.size() + 2 * cords_at.size(),
                        "forces of fabric"));
-  if (!limits_at.empty())
-    WEFT_SET(limits, gpu::Buffer<LimitSpring>::create_from(device, limits_at, "limited edges of fabric"));
+  if (!cords_at.empty()) WEFT_SET(cords, gpu::Buffer<Cord>::create_from(device, cords_at, "cords of fabric"));
   if (bend_count > 0) WEFT_SET(bends, gpu::Buffer<float>::create(device, bend_count, "bends"));
   return {};
 }

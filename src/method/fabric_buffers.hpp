@@ -9,7 +9,7 @@
 
 #include "element/hinge/plate.hpp"
 #include "gpu/buffer.hpp"
-#include "model/limited_edges.hpp"
+#include "model/cords.hpp"
 
 namespace weft {
 
@@ -34,10 +34,9 @@ static_assert(sizeof(FabricParams) == 48 && offsetof(FabricParams, law) == 16);
 std::vector<std::uint32_t> rows_then_entries(std::span<const std::uint32_t> starts,
                                              std::span<const std::uint32_t> entries);
 
-/// Each node's triangles, hinges and limited edges, as places of its forces (FabricBuffers::forces): rows of nodes,
+/// Each node's triangles, hinges and cords, as places of its forces (FabricBuffers::forces): rows of nodes,
 /// then their entries.
-std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body,
-                                      std::span<const LimitSpring> limits);
+std::vector<std::uint32_t> gathers_of(const Model& model, const Body& body, std::span<const Cord> cords);
 
 /// Of a number in f32.
 std::uint32_t bits_of(double value);
@@ -60,9 +59,9 @@ struct FabricBuffers {
 
   // Of methods that sum forces: create_forces.
   gpu::Buffer<std::uint32_t> gathers;  // rows of nodes, then their forces
-  gpu::Buffer<Vec4f> forces;  // of the corners of all triangles, of all hinges, of all limited edges [N]
-  gpu::Buffer<float> bends;   // empty where there is no hinge [rad]
-  gpu::Buffer<LimitSpring> limits;  // of edges; empty where there is no strain limit
+  gpu::Buffer<Vec4f> forces;           // of the corners of all triangles, of all hinges, of all cords [N]
+  gpu::Buffer<float> bends;            // empty where there is no hinge [rad]
+  gpu::Buffer<Cord> cords;             // empty where nothing is limited or sewn
 
   /// Errors  Limit, OutOfMemory.
   static Result<FabricBuffers> create(gpu::Device& device, const Model& model, const Body& body);

@@ -35,6 +35,7 @@ Method implicit_row(scene::SolverKind kind) {
   row.holds_obstacles = true;
   row.holds_pairs = true;
   row.limits_strain = true;
+  row.sews_fabric = true;
   row.blow_part = 0.025;
   row.history = 1;  // BDF2
   row.order = 2;

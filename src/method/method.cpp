@@ -132,6 +132,10 @@ Result<void> check_elements(const scene::Scene& scene, const Model& model, const
     }
     if (model.bodies[c].solid) WEFT_CHECK(check_solid(scene.cloths[c], method));
     if (model.bodies[c].fabric) WEFT_CHECK(check_fabric(scene.cloths[c], model, model.bodies[c], method));
+    if (scene.cloths[c].fabric && !scene.cloths[c].seams.empty() && !method.sews_fabric)
+      return input_error("%s has fabric and seams, and solver.kind \"%s\" sews no fabric; %s does.",
+                         scene.cloths[c].where.c_str(), scene::name_of(method.kind),
+                         words_of_methods([](const Method& other) { return other.sews_fabric; }).c_str());
     if (scene.cloths[c].strain_limit && !method.limits_strain)
       return input_error("%s.strain_limit is %g, and solver.kind \"%s\" keeps none; %s does.",
                          scene.cloths[c].where.c_str(), *scene.cloths[c].strain_limit,

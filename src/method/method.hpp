@@ -63,6 +63,7 @@ struct Method {
   bool holds_obstacles;        // whether it answers obstacles itself (Stages::press)
   bool holds_pairs = false;    // and pairs of one cloth
   bool bounds_nodes = false;   // by bounds on where a node may go, not by springs
+  bool sews_fabric = false;    // whether threads pull at fabric; at springs they do by all
   bool limits_strain = false;  // whether edges beyond a strain limit are stiffer
   bool tethers = false;        // whether nodes are kept within their tethers
   double even_poisson = 0.5;   // slender bodies with more come to rest late: docs/bodies.md, Limits

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mesh/closest.hpp"
+#include "model/panels.hpp"
 #include "model/seams.hpp"
 #include "scene/motion.hpp"
 #include "scene/select.hpp"
@@ -180,6 +181,7 @@ Result<void> attach(Model& model, const scene::Scene& scene, const Assets& asset
 
 Result<Model> build_model(const scene::Scene& scene, const Assets& assets) {
   WEFT_TRY(model, build_model(scene, assets.cloths, assets.solids));
+  add_warps(model, scene, assets);
   Attached attached;
   for (std::size_t cloth = 0; cloth < scene.cloths.size(); ++cloth)
     WEFT_CHECK(attach(model, scene, assets, cloth, attached));

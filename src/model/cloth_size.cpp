@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "model/solid.hpp"
+
 namespace weft {
 
 double mass_of(const Model& model, const Body& body) {
@@ -26,6 +28,12 @@ double area_of(const Model& model, const Body& body) {
   double twice = 0;
   for (std::uint32_t t = 0; t < body.triangle_count; ++t) twice += twice_area(rest_corners(model, body, t));
   return twice / 2;
+}
+
+double volume_of(const Model& model, const Body& body) {
+  double sum = 0;
+  for (const tet::Rest& rest : body_tets(model, body).rests) sum += rest.volume;
+  return sum;
 }
 
 }  // namespace weft

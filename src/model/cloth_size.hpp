@@ -5,8 +5,9 @@
 
 namespace weft {
 
-double mass_of(const Model& model, const Body& body);  // [kg]
-double area_of(const Model& model, const Body& body);  // of its triangles [m²]
+double mass_of(const Model& model, const Body& body);    // [kg]
+double area_of(const Model& model, const Body& body);    // of its triangles [m²]
+double volume_of(const Model& model, const Body& body);  // of its tetrahedra [m³]
 /// Of a triangle whose nodes count among all [m²].
 double area_of(const Model& model, const mesh::Triangle& triangle);
 

@@ -92,10 +92,12 @@ bool part(LooseCloth& cloth, std::uint32_t a, std::uint32_t b, Row nodes, double
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     const mesh::Triangle piece{nodes[k - 1], nodes[k], tip};
     weigh(piece, 1);
-    if (k == 1)
+    if (k == 1) {
       cloth.triangles[edge.triangle] = piece;
-    else
-      cloth.triangles.push_back(piece);
+      continue;
+    }
+    cloth.triangles.push_back(piece);
+    if (!cloth.warps.empty()) cloth.warps.push_back(Vec3d(cloth.warps[edge.triangle]));
   }
   return true;
 }
@@ -120,6 +122,7 @@ LooseCloth::LooseCloth(const Model& model, const Body& body) {
   mass = own(model.mass);
   motion = own(model.motion);
   triangles = own_triangles(model, body);
+  warps = body.warps;
 }
 
 void LooseCloth::put_back(Model& model, std::size_t number) const {
@@ -139,6 +142,7 @@ void LooseCloth::put_back(Model& model, std::size_t number) const {
   for (mesh::Triangle& t : numbered)
     for (std::uint32_t& node : t) node += first;
   exchange(model.triangles, body.first_triangle, body.triangle_count, numbered);
+  body.warps = warps;
   body.vertex_count += more_nodes;
   body.triangle_count += more_triangles;
   for (std::size_t later = number + 1; later < model.bodies.size(); ++later) {

@@ -15,6 +15,7 @@ struct LooseCloth {
   std::vector<double> mass;           // [kg]
   std::vector<std::uint32_t> motion;  // as Model::motion
   std::vector<mesh::Triangle> triangles;
+  std::vector<Vec3d> warps;  // as Body::warps
 
   LooseCloth(const Model& model, const Body& body);
   /// Makes it the body of this number, which may have grown.

@@ -13,15 +13,19 @@
 namespace weft {
 namespace {
 
+void append_threads(ElementTable& springs, const Body& body) {
+  for (const Thread& thread : body.pattern->threads)
+    append(springs, Spring{body.first_vertex + thread.a, body.first_vertex + thread.b, 0,
+                           static_cast<float>(thread.stiffness), static_cast<float>(thread.damping)});
+}
+
 /// The springs of what is sewn, and the threads that pull at what is not yet.
 ElementTable sewn_springs(const Model& model, const Body& body) {
   mesh::TriangleMesh pattern{{}, body.pattern->triangles};
   for (const Vec3d& place : body.pattern->position) pattern.positions.push_back(place.to<float>());
   ElementTable table =
       build_sewn_springs(pattern, own_triangles(model, body), body.material(), body.first_vertex);
-  for (const Thread& thread : body.pattern->threads)
-    append(table, Spring{body.first_vertex + thread.a, body.first_vertex + thread.b, 0,
-                         static_cast<float>(thread.stiffness), static_cast<float>(thread.damping)});
+  append_threads(table, body);
   return table;
 }
 
@@ -35,7 +39,9 @@ ElementTable build(const Model& model, ElementKind kind, const Body& body) {
     if (kind == ElementKind::Membrane)
       return membrane::build_membranes(fabric_sheet(model, body).rest(), membrane_law(*body.fabric), first);
     if (kind == ElementKind::Hinge) return hinge_table(model.plate(body), first);
-    return {kind, {}, {}, {}};
+    ElementTable table{kind, {}, {}, {}};
+    if (kind == ElementKind::Spring && body.pattern) append_threads(table, body);
+    return table;
   }
   if (kind == ElementKind::Spring && body.pattern) return sewn_springs(model, body);
   if (kind == ElementKind::Spring && !body.whole.empty()) {

@@ -38,11 +38,16 @@ std::uint32_t first_crease(const Model& model, const Body& body) { return crease
 FabricSheet fabric_sheet(const Model& model, const Body& body) {
   FabricSheet sheet;
   sheet.warp = body.warp;
+  sheet.warps = body.warps;
   for (std::uint32_t v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-    sheet.position.push_back(model.rest_position[v]);
+    if (!body.pattern) sheet.position.push_back(model.rest_position[v]);
     sheet.held.push_back(model.kinematic(v) ? 1 : 0);
   }
   sheet.triangles = own_triangles(model, body);
+  if (body.pattern) {
+    sheet.position = body.pattern->position;
+    sheet.cut = body.pattern->triangles;
+  }
   return sheet;
 }
 

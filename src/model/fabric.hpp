@@ -30,8 +30,10 @@ struct FabricSheet {
   std::vector<mesh::Triangle> triangles;
   std::vector<std::uint8_t> held;  // 1: a node that the scene moves or pins
   Vec3d warp;
+  std::vector<mesh::Triangle> cut;  // of what is sewn: RestSheet::cut
+  std::vector<Vec3d> warps;         // RestSheet::warps
 
-  RestSheet rest() const { return {position, triangles, warp, held}; }
+  RestSheet rest() const { return {position, triangles, warp, held, cut, warps}; }
 };
 FabricSheet fabric_sheet(const Model& model, const Body& body);
 

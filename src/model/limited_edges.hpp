@@ -1,8 +1,10 @@
 // The edges of cloth that its strain limit keeps short.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/model.hpp"
@@ -21,17 +23,15 @@ struct LimitedEdge {
 std::vector<LimitedEdge> limited_edges(const Model& model);
 std::vector<LimitedEdge> limited_edges(const Model& model, const Body& body);  ///< of one of its bodies
 
-/// An edge of fabric beyond its strain limit: a spring that only pulls. Ends are numbered as the body's nodes, from 0.
-/// Mirror: src/method/multigrid/limit_terms.wgsl.
-struct LimitSpring {
-  std::uint32_t a = 0, b = 0;
-  float longest = 0;    // [m]
-  float stiffness = 0;  // beyond that [N/m]
-};
-
-/// Of each edge of a body of fabric that has a strain limit, in the order of limited_edges.
-/// Source: docs/solvers/multigrid.md, equation 5c.
-std::vector<LimitSpring> limit_springs(const Model& model, const Body& body);
+/// The edge between two nodes, the smaller number first; null: there is none.
+template <class Edges>
+auto find_edge(Edges& edges, std::uint32_t a, std::uint32_t b) {
+  const std::pair ends(a, b);
+  const auto edge =
+      std::lower_bound(edges.begin(), edges.end(), ends,
+                       [](const auto& one, const auto& wanted) { return std::pair(one.a, one.b) < wanted; });
+  return edge != edges.end() && std::pair(edge->a, edge->b) == ends ? &*edge : nullptr;
+}
 
 /// Of each of these springs the length beyond which it is stiffer, since it is one of `edges`; 0: it is none [m].
 std::vector<float> longest_lengths(std::span<const LimitedEdge> edges, const Springs& springs);

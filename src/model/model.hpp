@@ -42,6 +42,7 @@ struct Body {
   std::optional<CutPattern> pattern;    // what it is cut from, where it has seams
   std::vector<mesh::Tet> tets;          // of its nodes, which count from 0
   Vec3d warp{1, 0, 0};                  // the direction of its warp at rest, in the world
+  std::vector<Vec3d> warps;             // of each of its triangles, where panels have their own; else empty
   std::optional<Vec3d> color;
   scene::Look look;
 

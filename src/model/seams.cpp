@@ -1,6 +1,7 @@
 #include "model/seams.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -41,9 +42,13 @@ std::vector<std::uint32_t> followers(const Cut& cut, const std::vector<bool>& in
   return next;
 }
 
-/// The nodes of a row, in the order of the rim. Errors  Input: they are no single run of it.
-Result<std::vector<std::uint32_t>> row_of(const Cut& cut, const scene::SeamRow& row,
-                                          const std::string& where) {
+/// The nodes of a row, in the order of the rim; of one that goes all the way round the first comes again at the end.
+using Row = std::vector<std::uint32_t>;
+
+bool is_closed(const Row& row) { return row.size() > 1 && row.front() == row.back(); }
+
+/// Errors  Input: they are no single run of the rim.
+Result<Row> row_of(const Cut& cut, const scene::SeamRow& row, const std::string& where) {
   const auto [first, count] = cut.range(row.panel);
   const std::optional<scene::GridShape>& grid =
       cut.cloth.panels.empty() ? cut.cloth.grid : cut.cloth.panels[row.panel].grid;
@@ -53,60 +58,96 @@ Result<std::vector<std::uint32_t>> row_of(const Cut& cut, const scene::SeamRow& 
   std::vector<bool> in_row(cut.positions.size()), at_rim(cut.positions.size()), follows(cut.positions.size());
   for (const std::uint32_t node : selected) in_row[first + node] = true;
   const std::vector<std::uint32_t> next = followers(cut, in_row, at_rim);
-  std::vector<std::uint32_t> begins;
-  std::size_t size = 0;
+  Row begins, all;
   for (const std::uint32_t node : selected) {
-    if (at_rim[first + node]) ++size;
+    if (at_rim[first + node]) all.push_back(first + node);
     if (next[first + node] != first + node) follows[next[first + node]] = true;
   }
-  for (const std::uint32_t node : selected)
-    if (at_rim[first + node] && !follows[first + node]) begins.push_back(first + node);
-  if (size == 0)
+  for (const std::uint32_t node : all)
+    if (!follows[node]) begins.push_back(node);
+  if (all.empty())
     return input_error("%s selects %zu nodes, none of which is at the rim of its panel.", where.c_str(),
                        selected.size());
-  if (begins.empty())
-    return input_error("%s goes all the way round a rim of %zu nodes; a row has two ends.", where.c_str(),
-                       size);
   if (begins.size() > 1)
     return input_error("%s selects %zu runs of the rim, which begin at nodes %u and %u; a row is one run.",
                        where.c_str(), begins.size(), begins[0] - first, begins[1] - first);
-  std::vector<std::uint32_t> nodes{begins[0]};
-  while (next[nodes.back()] != nodes.back() && nodes.size() < size) nodes.push_back(next[nodes.back()]);
-  if (nodes.size() != size)
-    return input_error("%s selects a run of the rim and, apart from it, one that goes all the way round.",
-                       where.c_str());
+  const bool closed = begins.empty();
+  Row nodes{closed ? all[0] : begins[0]};
+  do nodes.push_back(next[nodes.back()]);
+  while (nodes.back() != nodes.front() && next[nodes.back()] != nodes.back() && nodes.size() <= all.size());
+  if (nodes.size() == 2 && nodes[0] == nodes[1]) nodes.pop_back();  // one node
+  if (nodes.size() != all.size() + (closed ? 1 : 0))
+    return input_error(
+        "%s selects a run of the rim and, apart from it, one that goes all the way round; a row is one run.",
+        where.c_str());
   return nodes;
 }
 
-double length_of(const Cut& cut, const std::vector<std::uint32_t>& row) {
+double length_of(const Cut& cut, const Row& row) {
   double sum = 0;
   for (std::size_t k = 1; k < row.size(); ++k)
     sum += length(cut.positions[row[k]] - cut.positions[row[k - 1]]);
   return sum;
 }
 
+/// How far the nodes of a row are from the places of another one that are as far along it, in the mean [m].
+double gap_by_length(const Cut& cut, const Row& a, const Row& b) {
+  const double scale = length_of(cut, b) / length_of(cut, a);
+  double along = 0, passed = 0, sum = 0;  // of b: the place that is looked for, and where its edge begins
+  std::size_t edge = 1;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (k > 0) along += scale * length(cut.positions[a[k]] - cut.positions[a[k - 1]]);
+    const auto side = [&] { return cut.positions[b[edge]] - cut.positions[b[edge - 1]]; };
+    for (; edge + 1 < b.size() && passed + length(side()) < along; ++edge) passed += length(side());
+    const double part = along < passed + length(side()) ? (along - passed) / length(side()) : 1;
+    sum += length(cut.positions[b[edge - 1]] + part * side() - cut.positions[a[k]]);
+  }
+  return sum / static_cast<double>(a.size());
+}
+
 /// Of the nodes that meet, or of the ends where one row has more, how far they are apart.
-double gaps_of(const Cut& cut, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+double gaps_of(const Cut& cut, const Row& a, const Row& b) {
   const auto gap = [&](std::uint32_t one, std::uint32_t other) {
     return length(cut.positions[one] - cut.positions[other]);
   };
+  if (a.size() != b.size() && is_closed(a)) return gap_by_length(cut, a, b);
   if (a.size() != b.size()) return gap(a.front(), b.front()) + gap(a.back(), b.back());
   double sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += gap(a[k], b[k]);
   return sum;
 }
 
+/// A closed row from that of its nodes on from which it is nearest to another one.
+Row begun_nearest(const Cut& cut, const Row& closed, const Row& other) {
+  Row best = closed, begun = closed;
+  double least = gaps_of(cut, begun, other);
+  for (std::size_t k = 2; k < closed.size(); ++k) {
+    begun.erase(begun.begin());
+    begun.push_back(begun.front());
+    if (const double gaps = gaps_of(cut, begun, other); gaps < least) least = gaps, best = begun;
+  }
+  return best;
+}
+
 /// The nodes of both rows, in the order in which they meet.
 struct Rows {
-  std::vector<std::uint32_t> first, second;
+  Row first, second;
 };
 Result<Rows> rows_of(const Cut& cut, const scene::Seam& seam) {
   Rows rows;
   WEFT_SET(rows.first, row_of(cut, seam.first, seam.where + ".first"));
   WEFT_SET(rows.second, row_of(cut, seam.second, seam.where + ".second"));
-  std::vector<std::uint32_t> turned(rows.second.rbegin(), rows.second.rend());
-  if ((gaps_of(cut, rows.first, turned) < gaps_of(cut, rows.first, rows.second)) != seam.reversed)
-    rows.second.swap(turned);
+  Rows turned{rows.first, {rows.second.rbegin(), rows.second.rend()}};
+  for (Rows* way : {&rows, &turned}) {
+    if (is_closed(way->first))
+      way->first = begun_nearest(cut, way->first, way->second);
+    else if (is_closed(way->second))
+      way->second = begun_nearest(cut, way->second, way->first);
+  }
+  const auto gaps = [&](const Rows& way) {
+    return is_closed(way.first) ? gaps_of(cut, way.first, way.second) : gaps_of(cut, way.second, way.first);
+  };
+  if ((gaps(turned) < gaps(rows)) != seam.reversed) return turned;
   return rows;
 }
 
@@ -130,7 +171,9 @@ Result<CutSeam> seam_of(const Cut& cut, const scene::Seam& seam, const Rows& row
   CutSeam made;
   made.where = seam.where;
   for (std::size_t k = 0; k < rows.first.size(); ++k)
-    if (rows.first[k] != rows.second[k]) made.pairs.push_back({rows.first[k], rows.second[k]});
+    if (const std::array pair = {rows.first[k], rows.second[k]};
+        pair[0] != pair[1] && (k == 0 || made.pairs.empty() || pair != made.pairs.front()))
+      made.pairs.push_back(pair);
   if (made.pairs.empty()) return input_error("%s sews a row to itself.", seam.where.c_str());
   const double size = (length_of(cut, rows.first) + length_of(cut, rows.second)) / 2;
   // A row of one node has no length: its thread is as one of a centimetre.

@@ -59,12 +59,12 @@ std::vector<Mat3> spring_tensions(const Model& model, const Body& body, std::spa
 /// The same of fabric.
 std::vector<Mat3> fabric_tensions(const Model& model, const Body& body, std::span<const Vec3d> position) {
   const FabricSheet sheet = fabric_sheet(model, body);
+  const RestSheet at_rest = sheet.rest();
   const membrane::Law law = membrane_law(*body.fabric);
   std::vector<Mat3> sums;
-  for (const mesh::Triangle& t : sheet.triangles) {
-    const auto& at = sheet.position;
-    const auto place = [&](std::size_t k) { return position[body.first_vertex + t[k]]; };
-    const membrane::Rest rest = membrane::Rest::of(places_of({at[t[0]], at[t[1]], at[t[2]]}, sheet.warp));
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    const auto place = [&](std::size_t k) { return position[body.first_vertex + sheet.triangles[t][k]]; };
+    const membrane::Rest rest = membrane::Rest::of(at_rest.places(t));
     sums.push_back(rest.area * biot_stress(law, membrane::deformation(rest, {place(0), place(1), place(2)})));
   }
   return sums;

@@ -180,7 +180,7 @@ class Builder {
         WEFT_TRY(built, seam(one, path_of_index(path + ".seams", cloth.seams.size()), cloth));
         cloth.seams.push_back(std::move(built));
       }
-      for (const char* key : {"fabric", "strain_limit", "tethers", "pressure", "strength"})
+      for (const char* key : {"tethers", "pressure", "strength"})
         if (json.find(key))
           return wrong(path + ".seams",
                        "are of a cloth that has " + in_quotes(key) + ", which sewing cannot follow");

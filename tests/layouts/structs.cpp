@@ -37,6 +37,7 @@
 #include "method/projective_dynamics/solver_projective_dynamics.hpp"
 #include "method/solid_buffers.hpp"
 #include "method/vbd/solver_vbd.hpp"
+#include "model/cords.hpp"
 #include "model/limited_edges.hpp"
 #include "model/model.hpp"
 #include "overlay/overlay.hpp"
@@ -330,10 +331,10 @@ Json limited_edge() {
   return row("LimitedEdge", "contact/proximity/limited_edge.wgsl", sizeof(T), kExact,
              {M(a), M(b), M(longest)});
 }
-Json limit_spring() {
-  using T = LimitSpring;
-  return row("LimitSpring", "method/multigrid/limit_terms.wgsl", sizeof(T), kExact,
-             {M(a), M(b), M(longest), M(stiffness)});
+Json cord() {
+  using T = Cord;
+  return row("Cord", "method/multigrid/cord_terms.wgsl", sizeof(T), kExact,
+             {M(a), M(b), M(longest), M(stiffness), M(damping)});
 }
 Json listed_pair() {
   using T = ListedPair;
@@ -450,19 +451,66 @@ void add_statistics(Json& constants) {
 }  // namespace
 
 Json struct_layouts() {
-  return Json::array(
-      {step_block(),      step_time(),       step_nodes(),    step_contact(),   step_air(),
-       step_hands(),      step_method(),     spring(),        spring_kind(),    limited_edge(),
-       limit_spring(),    spring_block(),    block_spring(),  neighbour(),      mesh_params(),
-       membrane_law(),    enclosed_gas(),    gas_chunk(),     fabric_params(),  node_range(),
-       yield_law(),       solid_law(),       solid_params(),  surface_params(), object_triangle(),
-       spring_grid_row(), level_of_grid(),   tree_node(),     pair_range(),     analytic_collider(),
-       listed_pair(),     contact_of_pair(), pair_hold(),     search_params(),  patch_place(),
-       contact_round(),   tree_params(),     colliders(),     collider_place(), frame(),
-       fabric(),          light(),           plane(),         overlay_params(), overlay_vertex(),
-       overlay_place(),   fine_grid(),       cloth_nodes(),   bottom_sweeps(),  elements_of_color(),
-       nodes_of_color(),  gathered_color(),  relaxed_nodes(), spring_kinds(),   fabric_pair(),
-       turned_tet(),      iteration(),       level_of_mesh(), share(),          convex_body()});
+  return Json::array({step_block(),
+                      step_time(),
+                      step_nodes(),
+                      step_contact(),
+                      step_air(),
+                      step_hands(),
+                      step_method(),
+                      spring(),
+                      spring_kind(),
+                      limited_edge(),
+                      cord(),
+                      spring_block(),
+                      block_spring(),
+                      neighbour(),
+                      mesh_params(),
+                      membrane_law(),
+                      enclosed_gas(),
+                      gas_chunk(),
+                      fabric_params(),
+                      node_range(),
+                      yield_law(),
+                      solid_law(),
+                      solid_params(),
+                      surface_params(),
+                      object_triangle(),
+                      spring_grid_row(),
+                      level_of_grid(),
+                      tree_node(),
+                      pair_range(),
+                      analytic_collider(),
+                      listed_pair(),
+                      contact_of_pair(),
+                      pair_hold(),
+                      search_params(),
+                      patch_place(),
+                      contact_round(),
+                      tree_params(),
+                      colliders(),
+                      collider_place(),
+                      frame(),
+                      fabric(),
+                      light(),
+                      plane(),
+                      overlay_params(),
+                      overlay_vertex(),
+                      overlay_place(),
+                      fine_grid(),
+                      cloth_nodes(),
+                      bottom_sweeps(),
+                      elements_of_color(),
+                      nodes_of_color(),
+                      gathered_color(),
+                      relaxed_nodes(),
+                      spring_kinds(),
+                      fabric_pair(),
+                      turned_tet(),
+                      iteration(),
+                      level_of_mesh(),
+                      share(),
+                      convex_body()});
 }
 
 Json shared_constants() {

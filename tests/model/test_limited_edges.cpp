@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "element/spring/law.hpp"
+#include "model/cords.hpp"
 #include "model/limited_edges.hpp"
 #include "scene/load.hpp"
 
@@ -27,9 +28,9 @@ TEST_CASE(
   constexpr double kAlong = 0.02, kAcross = 0.03, kWarp = 900, kWeft = 300;
   const Model model = model_of(R"("grid": [6, 5], "size": [0.1, 0.12], "pins": [{"nodes": [0, 1]}],
       "fabric": {"warp": 900, "weft": 300, "shear": 60, "poisson": 0.3, "bending_warp": 1e-5})");
-  const std::vector<LimitSpring> springs = limit_springs(model, model.bodies[0]);
+  const std::vector<Cord> springs = limit_cords(model, model.bodies[0]);
   REQUIRE(springs.size() == 5 * 5 + 6 * 4 - 1);  // without diagonals, and the edge between the pins
-  for (const LimitSpring& s : springs) {
+  for (const Cord& s : springs) {
     const bool along = s.b == s.a + 1;
     const bool rim = along ? s.a < 6 || s.a >= 24 : s.a % 6 == 0 || s.a % 6 == 5;
     const double width = (along ? kAcross : kAlong) * (rim ? 0.5 : 1);
@@ -56,7 +57,7 @@ TEST_CASE("limited edges of equilateral triangles of isotropic fabric have its Y
       "poisson": 0.25, "bending_warp": 1e-5})",
                mesh);
   double sum = 0, turned = 0, both = 0;
-  for (const LimitSpring& s : limit_springs(model, model.bodies[0])) {
+  for (const Cord& s : limit_cords(model, model.bodies[0])) {
     const Vec3d span = model.rest_position[s.b] - model.rest_position[s.a];
     const double each = s.stiffness / dot(span, span);
     sum += each * std::pow(span.x, 4);

@@ -6,9 +6,13 @@
 #include <tuple>
 
 #include "mesh/lumped.hpp"
+#include "mesh/sides.hpp"
 #include "method/mass_spring/reference/mass_spring.hpp"
+#include "method/method.hpp"
 #include "model/attachments.hpp"
 #include "model/cloth_size.hpp"
+#include "model/fabric.hpp"
+#include "model/limited_edges.hpp"
 #include "model/sewing.hpp"
 #include "reference/simulation.hpp"
 #include "scene/load.hpp"
@@ -31,6 +35,16 @@ Model built(const std::string& cloth) {
 std::string refusal(const std::string& cloth) {
   const auto model = model_of(cloth);
   return model ? "" : model.error().message;
+}
+
+/// Of the method that a scene names.
+std::string method_refusal(const std::string& cloth, const std::string& kind) {
+  auto scene = scene::parse_scene(
+      R"({"format": "weft-scene/1", "solver": {"kind": ")" + kind + R"("}, "cloths": [{)" + cloth + "}]}",
+      "test.json");
+  REQUIRE(scene);
+  const auto chosen = choose_method(*scene, built(cloth));
+  return chosen ? "" : chosen.error().message;
 }
 
 Sewing all_sewn(const Model& model) {
@@ -133,6 +147,144 @@ TEST_CASE(
     CHECK(of_tube(strain) == doctest::Approx(of_sheet(strain)).epsilon(0.01));
   }
   CHECK(area_of(tube, tube.bodies[0]) == doctest::Approx(kWidth * kHeight).epsilon(1e-6));
+}
+
+namespace {
+
+const std::string kFabric =
+    R"("density": 0.2, "fabric": {"warp": 900, "weft": 500, "shear": 120, "poisson": 0.2,
+    "bending_warp": 2e-4, "bending_weft": 1e-4, "bending_twist": 5e-5})";
+
+reference::EnergySums energies_at(const Model& model, std::vector<Vec3d> places) {
+  reference::MassSpringSystem system = reference::elements_of(model);
+  system.velocity.assign(model.vertex_count(), {});
+  system.position = std::move(places);
+  return reference::energies(system);
+}
+
+/// What a sewn model is moved to: of each node by where the first of its parts was cut.
+template <class Place>
+std::vector<Vec3d> placed(const Model& model, const Place& place) {
+  const CutPattern& pattern = *model.bodies[0].pattern;
+  std::vector<Vec3d> places(model.vertex_count());
+  for (std::size_t node = pattern.node.size(); node-- > 0;)
+    places[pattern.node[node]] = place(pattern.position[node], node);
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "fabric that is sewn of two halves resists as fabric that was never cut, stretched, sheared and bent") {
+  const std::string halves = kHalves.substr(0, kHalves.find(kSprings)) + kFabric;
+  const Model model = sewn(halves);
+  const Model whole = built(R"("grid": [21, 11], "size": [0.2, 0.1], "strength": 1e6, )" + kFabric);
+  const auto wave = [](const Vec3d& p) {
+    return Vec3d{1.02 * p.x + 0.05 * p.y, 0.97 * p.y + 0.01 * std::sin(30 * p.x),
+                 0.02 * std::sin(20 * p.x + 15 * p.y)};
+  };
+  const reference::EnergySums own = energies_at(model, placed(model, [&](const Vec3d& p, std::size_t node) {
+                                                  return wave(p - (node < 121 ? Vec3d{} : Vec3d{0.02, 0, 0}));
+                                                }));
+  std::vector<Vec3d> places = whole.rest_position;
+  for (Vec3d& p : places) p = wave(p);
+  const reference::EnergySums never_cut = energies_at(whole, places);
+  CHECK(own.membranes > 1e-3);
+  CHECK(own.membranes == doctest::Approx(never_cut.membranes).epsilon(1e-6));
+  CHECK(own.bending > 1e-4);
+  CHECK(own.bending == doctest::Approx(never_cut.bending).epsilon(1e-6));
+}
+
+TEST_CASE("each panel of fabric has its own warp, as it is turned") {
+  // The second half lies a quarter turn off, so that its weft runs across the seam.
+  const Model model = sewn(R"("panels": [{"grid": [11, 11], "size": [0.1, 0.1]},
+      {"grid": [11, 11], "size": [0.1, 0.1], "transform":
+        {"translate": [0.12, 0, 0], "rotate": [0, 0, 0.70710678, 0.70710678]}}],
+    "seams": [{"first": {"panel": 0, "nodes": "right"}, "second": {"panel": 1, "nodes": "top"}}],
+    "density": 0.2, "fabric": {"warp": 900, "weft": 100, "shear": 50, "bending_warp": 0})");
+  CHECK(model.vertex_count() == 231);
+  constexpr double kStrain = 0.01;
+  const reference::EnergySums stretched =
+      energies_at(model, placed(model, [&](const Vec3d& p, std::size_t node) {
+                    const double x = p.x - (node < 121 ? 0 : 0.02);
+                    return Vec3d{(1 + kStrain) * x, p.y, p.z};
+                  }));
+  CHECK(stretched.membranes == doctest::Approx((900 + 100) * 0.01 * kStrain * kStrain / 2).epsilon(1e-4));
+}
+
+TEST_CASE(
+    "a tube sewn of fabric has the energy of its curvature, half of B by the square of its radius, at its "
+    "seam too") {
+  constexpr double kWidth = 0.3, kHeight = 0.1, kPi = 3.14159265358979323846;
+  const Model tube = sewn(R"("grid": [91, 31], "size": [0.3, 0.1], )" + kFabric +
+                          R"(, "seams": [{"first": {"nodes": "left"}, "second": {"nodes": "right"}}])");
+  const double radius = kWidth / (2 * kPi);
+  const auto round = [&](const Vec3d& p, std::size_t) {
+    const double angle = p.x / radius;
+    return Vec3d{radius * std::cos(angle), p.y, radius * std::sin(angle)};
+  };
+  const reference::EnergySums rolled = energies_at(tube, placed(tube, round));
+  const double bending = 2e-4 / (radius * radius) * kWidth * kHeight / 2;
+  CHECK(rolled.bending == doctest::Approx(bending).epsilon(0.01));
+  CHECK(rolled.membranes < 0.01 * bending);
+  std::size_t seam = 0;
+  const hinge::Plate& plate = tube.plate(tube.bodies[0]);
+  const FabricSheet sheet = fabric_sheet(tube, tube.bodies[0]);
+  for (const hinge::Hinge& hinge : plate.hinges) {
+    if (hinge::rest_corners(sheet.rest(), hinge)) continue;
+    ++seam;
+    CHECK(hinge.rest_angle == 0);
+  }
+  CHECK(seam == 30);
+}
+
+TEST_CASE(
+    "the edges of what is sewn are as long at their strain limit as the sides that they were cut from") {
+  for (const std::string& material : {kSprings, kFabric}) {
+    CAPTURE(material);
+    const Model tube = sewn(R"("grid": [61, 21], "size": [0.3, 0.1], "strain_limit": 0.1, )" + material +
+                            R"(, "seams": [{"first": {"nodes": "left"}, "second": {"nodes": "right"}}])");
+    for (const LimitedEdge& edge : limited_edges(tube)) {
+      const double length = edge.longest / 1.1;  // of cells of 5 mm, and their diagonals
+      CHECK((std::abs(length - 0.005) < 1e-6 || std::abs(length - 0.005 * std::sqrt(2.0)) < 1e-6));
+    }
+    CHECK(limited_edges(tube).size() == 60 * 21 + 60 * 20 * 2);
+  }
+}
+
+TEST_CASE("rows that go all the way round are sewn from where they are nearest, however they begin") {
+  const auto cushion = [](const std::string& back, const std::string& grid) {
+    return built(
+        R"("density": 0.2, "panels": [{"grid": [9, 9], "size": [0.4, 0.4]}, {"grid": )" + grid +
+        R"(, "size": [0.4, 0.4], "transform": {"translate": [0, 0, -0.03], "rotate": )" + back +
+        R"(}}], "seams": [{"first": {"nodes": "edges"}, "second": {"panel": 1, "nodes": "edges"}}])");
+  };
+  for (const char* back :
+       {"[0, 1, 0, 0]", "[1, 0, 0, 0]", "[0, 0, 0, 1]", "[0, 0, 0.70710678, 0.70710678]"}) {
+    CAPTURE(back);
+    const Model model = cushion(back, "[9, 9]");
+    const CutPattern& pattern = *model.bodies[0].pattern;
+    REQUIRE(pattern.seams[0].pairs.size() == 32);
+    for (const auto& [a, b] : pattern.seams[0].pairs)
+      CHECK(length(pattern.position[a] - pattern.position[b]) == doctest::Approx(0.03).epsilon(1e-4));
+    CHECK(sewn_model(model, all_sewn(model))->vertex_count() == 2 * 81 - 32);
+    // Of fewer nodes it gets as many; its own meet those that are nearest by length.
+    const Model eased = cushion(back, "[6, 6]");
+    REQUIRE(eased.bodies[0].pattern->seams[0].pairs.size() == 32);
+    for (const auto& [a, b] : eased.bodies[0].pattern->seams[0].pairs)
+      CHECK(length(eased.bodies[0].pattern->position[a] - eased.bodies[0].pattern->position[b]) < 0.055);
+  }
+  const Model bag = built(R"("density": 0.2, "panels": [{"grid": [33, 9], "size": [1.6, 0.4]},
+      {"grid": [9, 9], "size": [0.4, 0.4], "transform": {"translate": [0, -0.4, 0]}}],
+    "seams": [{"first": {"nodes": "left"}, "second": {"nodes": "right"}},
+              {"first": {"nodes": "bottom"}, "second": {"panel": 1, "nodes": "edges"}}])");
+  REQUIRE(bag.bodies[0].pattern->seams[1].pairs.size() == 33);  // a row with two ends, which meet
+  const Model closed = *sewn_model(bag, all_sewn(bag));
+  CHECK(closed.vertex_count() == 33 * 9 + 81 - 9 - 32);
+  std::size_t rim = 0;
+  mesh::for_each_edge(mesh::sorted_sides(closed.triangles),
+                      [&](std::span<const mesh::Side> sides) { rim += sides.size() == 1 ? 1 : 0; });
+  CHECK(rim == 32);  // the bag's mouth alone
 }
 
 TEST_CASE(
@@ -238,8 +390,6 @@ TEST_CASE("seams that cannot be are refused, each in one sentence") {
         "test.json: cloths[0].seams[0] sews a row of 5 nodes to one of 1, which cannot have more: it is one "
         "node, or "
         "its edges have more in another seam.");
-  CHECK(halves(R"("nodes": "edges")", R"("panel": 1, "nodes": "left")") ==
-        "test.json: cloths[0].seams[0].first goes all the way round a rim of 14 nodes; a row has two ends.");
   CHECK(halves(R"("nodes": "corners")", R"("panel": 1, "nodes": "left")") ==
         "test.json: cloths[0].seams[0].first selects 4 runs of the rim, which begin at nodes 0 and 3; a row "
         "is one "
@@ -254,6 +404,14 @@ TEST_CASE("seams that cannot be are refused, each in one sentence") {
         "test.json: cloths[0].seams join nodes 1 and 0, two corners of triangle 1.");
   CHECK(halves(R"("nodes": "top")", R"("panel": 1, "nodes": "top")", R"(, "pins": [{"nodes": [0, 20]}])") ==
         "test.json: cloths[0].seams join nodes 0 and 20, and the scene holds both of them.");
-  CHECK(halves(R"("nodes": "top")", R"("panel": 1, "nodes": "top")", R"(, "strain_limit": 0.1)") ==
-        "test.json: cloths[0].seams are of a cloth that has \"strain_limit\", which sewing cannot follow.");
+  CHECK(halves(R"("nodes": "top")", R"("panel": 1, "nodes": "top")", R"(, "strength": 100)") ==
+        "test.json: cloths[0].seams are of a cloth that has \"strength\", which sewing cannot follow.");
+  const std::string fabric =
+      R"("panels": [{"grid": [3, 3], "size": [1, 1]}, {"grid": [3, 3], "size": [1, 1]}],
+    "density": 0.2, "fabric": {"warp": 100, "shear": 50, "bending_warp": 1e-5},
+    "seams": [{"first": {"nodes": "top"}, "second": {"panel": 1, "nodes": "top"}}])";
+  CHECK(method_refusal(fabric, "vbd") ==
+        "test.json: cloths[0] has fabric and seams, and solver.kind \"vbd\" sews no fabric; \"multigrid\", "
+        "\"xpbd\", \"pbd\" or \"fem\" does.");
+  CHECK(method_refusal(fabric, "multigrid").empty());
 }

@@ -11,8 +11,15 @@ namespace {
 
 constexpr double kSpeed = 0.5;  // of threads, at most [m/s]
 
+const std::string kSprings =
+    R"("stiffness": {"structural": 200, "shear": 80, "bend": 5}, "damping": 0.02, "density": 0.2)";
+const std::string kFabric =
+    R"("density": 0.2, "fabric": {"warp": 200, "weft": 150, "shear": 60, "poisson": 0.1,
+    "bending_warp": 1e-5, "damping": 0.001})";
+
 /// Two panels beside nothing, 40 mm and more apart and not in line, one of which is turned.
-scene::Scene two_panels(const std::string& solver, const std::string& contact) {
+scene::Scene two_panels(const std::string& solver, const std::string& contact,
+                        const std::string& material = kSprings) {
   return contact_scene(R"("gravity": [0, 0, 0], "solver": {"kind": ")" + solver +
                        (solver == "multigrid" || solver == "fem" ? R"(", "residual": 1e-4},)" : R"("},)") +
                        R"(
@@ -22,8 +29,21 @@ scene::Scene two_panels(const std::string& solver, const std::string& contact) {
           {"grid": [7, 6], "size": [0.12, 0.1], "transform": {"translate": [-0.08, 0, 0]}},
           {"grid": [6, 6], "size": [0.1, 0.1], "transform":
              {"translate": [0.08, 0.02, 0.03], "rotate": [0, 0.0998334, 0, 0.9950042]}}],
-        "seams": [{"first": {"panel": 0, "nodes": "right"}, "second": {"panel": 1, "nodes": "left"}}],
-        "stiffness": {"structural": 200, "shear": 80, "bend": 5}, "damping": 0.02, "density": 0.2}])");
+        "seams": [{"first": {"panel": 0, "nodes": "right"}, "second": {"panel": 1, "nodes": "left"}}], )" +
+                       material + "}]");
+}
+
+/// A method and what it sews.
+struct Sewed {
+  std::string solver, material;
+};
+std::vector<Sewed> all_sewed() {
+  std::vector<Sewed> all;
+  for (const Method& method : methods()) {
+    all.push_back({scene::name_of(method.kind), kSprings});
+    if (method.sews_fabric) all.push_back({scene::name_of(method.kind), kFabric});
+  }
+  return all;
 }
 
 /// Goes on by so many frames, and sews before each. The last world of the run.
@@ -74,10 +94,10 @@ std::size_t crossings_of(sim::World& world) {
 TEST_CASE(
     "free panels that sew themselves together keep their momentum, and gain no more than threads give") {
   GpuFixture fixture;
-  for (const Method& method : methods()) {
-    const std::string solver = scene::name_of(method.kind);
+  for (const auto& [solver, material] : all_sewed()) {
     CAPTURE(solver);
-    auto world = world_of(fixture.device(), two_panels(solver, "none"));
+    CAPTURE(material);
+    auto world = world_of(fixture.device(), two_panels(solver, "none", material));
     const double mass = [&] {
       double sum = 0;
       for (const double one : Moment(*world).mass) sum += one;
@@ -100,6 +120,46 @@ TEST_CASE(
     CHECK(spin < (keeps_spin ? 1e-3 : 0.05) * mass * kSpeed * 0.1);
     CHECK(highest < 1e-6 + 0.01 * world->sewing().work);
     CHECK(livest < mass * kSpeed * kSpeed / 2);
+  }
+}
+
+TEST_CASE("while threads pull, and once seams are closed, kernels go where the steps in double go") {
+  GpuFixture fixture;
+  for (const auto& [solver, material] : all_sewed()) {
+    CAPTURE(solver);
+    CAPTURE(material);
+    for (const std::int32_t pair : {5, Sewing::kSewn}) {
+      CAPTURE(pair);
+      scene::Scene scene = two_panels(solver, "none", material);
+      if (pair == Sewing::kSewn) scene.gravity = {0, -9.81, 0};
+      scene.time.frame = 1.0 / 240;
+      sim::WorldOptions options;
+      options.sewing.cloths = {{std::vector<std::int32_t>(6, pair)}};
+      auto made = sim::World::create(fixture.device(), scene, Assets{*load_assets(scene, "models")}, options);
+      REQUIRE_OK(made);
+      sim::World& world = **made;
+      const Model& model = world.model().host;
+      reference::MassSpringSystem system = reference::elements_of(model);
+      system.acceleration = scene.gravity;
+      system.velocity.assign(model.vertex_count(), {});
+      system.position = Moment(world).position;
+      const std::vector<Vec3d> before = system.position;
+      const auto stepper = reference::make_stepper(world.scene().solver, model, world.plan().step());
+      stepper->forget();
+      for (std::uint32_t step = 0; step < 2 * world.plan().substeps(); ++step) {
+        const std::vector<Vec3d> places = system.position;
+        stepper->advance({system, places, world.plan().step()});
+      }
+      advance(world, 2);
+      const Moment after(world);
+      double way = 0, off = 0;
+      for (std::size_t node = 0; node < before.size(); ++node) {
+        way = std::max(way, length(system.position[node] - before[node]));
+        off = std::max(off, length(after.position[node] - system.position[node]));
+      }
+      CHECK(way > 1e-4);
+      CHECK(off < 1e-3 * way);
+    }
   }
 }
 

@@ -37,8 +37,7 @@ double pull_time_of_bodies(const Model& model) {
   double least = std::numeric_limits<double>::infinity();
   for (const Body& body : model.bodies) {
     if (!body.solid) continue;
-    double volume = 0;
-    for (const tet::Rest& rest : body_tets(model, body).rests) volume += rest.volume;
+    const double volume = volume_of(model, body);
     const double slowness = std::sqrt(mass_of(model, body) / volume / body.solid->young);
     least = std::min(least, std::cbrt(volume / body.vertex_count) * slowness);
   }

@@ -45,6 +45,24 @@ std::uint32_t opposite(const RestSheet& sheet, const Plate& plate, std::uint32_t
   return kNone;
 }
 
+/// Which of the sheet's places a node of a triangle has, as that was cut.
+std::uint32_t cut_node(const RestSheet& sheet, std::uint32_t triangle, std::uint32_t node) {
+  if (sheet.cut.empty()) return node;
+  const mesh::Triangle& nodes = sheet.triangles[triangle];
+  return sheet.cut[triangle][nodes[0] == node ? 0 : nodes[1] == node ? 1 : 2];
+}
+const Vec3d& place_in(const RestSheet& sheet, std::uint32_t triangle, std::uint32_t node) {
+  return sheet.position[cut_node(sheet, triangle, node)];
+}
+
+/// How long the edge between two triangles is: at a seam as long as both sides in the mean.
+double edge_length(const RestSheet& sheet, const Hinge& hinge) {
+  const auto side = [&](std::uint32_t triangle) {
+    return length(place_in(sheet, triangle, hinge.nodes[1]) - place_in(sheet, triangle, hinge.nodes[0]));
+  };
+  return (side(hinge.triangles[0]) + side(hinge.triangles[1])) / 2;
+}
+
 /// A linear form of curvature (K11, K22, 2 K12): what an angle is on a sheet that is curved evenly.
 using Form = Vec3d;
 
@@ -68,10 +86,11 @@ class Unfolded {
 
   bool rigid(std::uint32_t triangle) const { return plate_.facets[triangle].rigid; }
 
-  /// A triangle beside the way from p to q, where nodes a and b lie: its third corner, left of the way.
-  Vec3d apex(std::uint32_t a, std::uint32_t b, std::uint32_t third, const Vec3d& p, const Vec3d& q) const {
-    const Vec3d edge = sheet_.position[b] - sheet_.position[a],
-                way = sheet_.position[third] - sheet_.position[a];
+  /// A triangle beside the way from p to q, where its nodes a and b lie: its third corner, left of the way.
+  Vec3d apex(std::uint32_t triangle, std::uint32_t a, std::uint32_t b, std::uint32_t third, const Vec3d& p,
+             const Vec3d& q) const {
+    const Vec3d from = place_in(sheet_, triangle, a), edge = place_in(sheet_, triangle, b) - from,
+                way = place_in(sheet_, triangle, third) - from;
     const double span = length(edge);
     const Vec3d along = (q - p) / length(q - p);
     return p + dot(way, edge) / span * along + length(cross(edge, way)) / span * Vec3d{-along.y, along.x, 0};
@@ -87,7 +106,7 @@ class Unfolded {
              const Vec3d& q, const Vec3d& third) const {
     const Hinge& h = plate_.hinges[hinge];
     const std::size_t beyond = h.triangles[0] == triangle ? 1 : 0;
-    const Vec3d far = apex(b, a, h.nodes[beyond == 1 ? 3 : 2], q, p);
+    const Vec3d far = apex(h.triangles[beyond], b, a, h.nodes[beyond == 1 ? 3 : 2], q, p);
     return part_of(triangle, p, q, third) + part_of(h.triangles[beyond], q, p, far);
   }
 
@@ -143,8 +162,8 @@ void split(const RestSheet& sheet, Plate& plate, Hinge& hinge) {
     hinge.shift = {unfolded.rigid(first) ? -0.5 : 0.5, 0, 0, 0, 0};
     return;
   }
-  const Vec3d p{}, q{length(sheet.position[b] - sheet.position[a]), 0, 0};
-  const Vec3d r = unfolded.apex(a, b, c, p, q), s = unfolded.apex(b, a, d, q, p);
+  const Vec3d p{}, q{edge_length(sheet, hinge), 0, 0};
+  const Vec3d r = unfolded.apex(first, a, b, c, p, q), s = unfolded.apex(second, b, a, d, q, p);
   const Form to_first = part(p, q, r), to_second = part(q, p, s);
   std::array<Form, 5> forms = {to_first + to_second};
   const auto form = [&](std::size_t k, std::uint32_t triangle, std::uint32_t from, std::uint32_t to,
@@ -204,17 +223,27 @@ void set_stiffness(const std::array<MaterialPoint, 3>& corners, Facet& facet, co
 
 }  // namespace
 
+std::optional<Corners> rest_corners(const RestSheet& sheet, const Hinge& hinge) {
+  const auto [a, b, c, d] = hinge.nodes;
+  const auto [first, second] = hinge.triangles;
+  if (cut_node(sheet, first, a) != cut_node(sheet, second, a)) return std::nullopt;
+  if (cut_node(sheet, first, b) != cut_node(sheet, second, b)) return std::nullopt;
+  return Corners{place_in(sheet, first, a), place_in(sheet, first, b), place_in(sheet, first, c),
+                 place_in(sheet, second, d)};
+}
+
 Plate build_plate(const RestSheet& sheet, const Stiffness& bending) {
   Plate plate = joined(sheet);
   for (std::uint32_t t = 0; t < plate.facets.size(); ++t)
     plate.facets[t].rigid = is_held(sheet, sheet.triangles[t]);
-  for (Hinge& hinge : plate.hinges) hinge.rest_angle = angle(corners_of(hinge, sheet.position));
+  for (Hinge& hinge : plate.hinges) {
+    const std::optional<Corners> corners = rest_corners(sheet, hinge);
+    hinge.rest_angle = corners ? angle(*corners) : 0;
+  }
   for (Hinge& hinge : plate.hinges) split(sheet, plate, hinge);
   for (std::uint32_t t = 0; t < plate.facets.size(); ++t) {
     if (plate.facets[t].rigid || plate.facets[t].sliver) continue;
-    const auto& [a, b, c] = sheet.triangles[t];
-    const auto corners = places_of({sheet.position[a], sheet.position[b], sheet.position[c]}, sheet.warp);
-    set_stiffness(corners, plate.facets[t], bending);
+    set_stiffness(sheet.places(t), plate.facets[t], bending);
   }
   return plate;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct Plate {
   std::vector<Hinge> hinges;
   std::vector<Facet> facets;
 };
+
+/// Where the nodes of a hinge are at rest. None: at a seam, whose sides were cut apart; there it is flat.
+std::optional<Corners> rest_corners(const RestSheet& sheet, const Hinge& hinge);
 
 /// Hinges at all edges between two triangles that turn the same way round, with their angles at rest; other edges are
 /// free, like the rim. A triangle with three held nodes does not bend: what is clamped to it begins to bend at its

@@ -12,9 +12,9 @@ ElementTable build_membranes(const RestSheet& sheet, const Law& law, std::uint32
   table.rest.reserve(4 * sheet.triangles.size());
   table.material.reserve(5 * sheet.triangles.size());
   const Stiffness& c = law.stiffness;
-  for (const auto& [i, j, k] : sheet.triangles) {
-    const Rest rest =
-        Rest::of(places_of({sheet.position[i], sheet.position[j], sheet.position[k]}, sheet.warp));
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    const auto& [i, j, k] = sheet.triangles[t];
+    const Rest rest = Rest::of(sheet.places(t));
     table.nodes.insert(table.nodes.end(), {first + i, first + j, first + k});
     for (const MaterialPoint& slope : {rest.slope[1], rest.slope[2]})
       table.rest.insert(table.rest.end(), {static_cast<float>(slope.warp), static_cast<float>(slope.weft)});

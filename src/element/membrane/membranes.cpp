@@ -5,9 +5,7 @@ namespace weft::membrane {
 Membranes Membranes::of(const RestSheet& sheet, const Law& law) {
   Membranes made{{sheet.triangles.begin(), sheet.triangles.end()}, {}, law};
   made.rests.reserve(made.triangles.size());
-  for (const auto& [a, b, c] : made.triangles)
-    made.rests.push_back(
-        Rest::of(places_of({sheet.position[a], sheet.position[b], sheet.position[c]}, sheet.warp)));
+  for (std::size_t t = 0; t < made.triangles.size(); ++t) made.rests.push_back(Rest::of(sheet.places(t)));
   return made;
 }
 

@@ -17,9 +17,21 @@ struct Part {
   std::vector<double> mass;     // [kg]
   std::vector<mesh::Triangle> triangles;
   Vec3d warp;
+  std::vector<Vec3d> warps{};
 
-  RestSheet rest() const { return {position, triangles, warp, {}}; }
+  RestSheet rest() const { return {position, triangles, warp, {}, {}, warps}; }
 };
+
+/// The pieces that a cloth is cut from. Sewn together they have no larger eigenvalue, but for bending across seams.
+Part cut_of(const Model& model, const Body& body) {
+  const CutPattern& pattern = *body.pattern;
+  std::vector<double> parts(body.vertex_count);
+  for (const std::uint32_t node : pattern.node) ++parts[node];
+  Part part{pattern.position, {}, pattern.triangles, body.warp, body.warps};
+  for (const std::uint32_t node : pattern.node)
+    part.mass.push_back(model.mass[body.first_vertex + node] / parts[node]);
+  return part;
+}
 
 Part part_of(const Model& model, const Body& body) {
   if (body.grid) {
@@ -32,9 +44,10 @@ Part part_of(const Model& model, const Body& body) {
       }
     return part;
   }
+  if (body.pattern) return cut_of(model, body);
   const FabricSheet sheet = fabric_sheet(model, body);
   const auto first = model.mass.begin() + body.first_vertex;
-  return {sheet.position, {first, first + body.vertex_count}, sheet.triangles, sheet.warp};
+  return {sheet.position, {first, first + body.vertex_count}, sheet.triangles, sheet.warp, sheet.warps};
 }
 
 /// The stiffness of a sheet at rest. All energies of membranes agree there, and what damping does by velocities after a

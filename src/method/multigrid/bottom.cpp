@@ -7,8 +7,8 @@
 #include "element/spring/law.hpp"
 #include "method/multigrid/grid_levels.hpp"
 #include "model/cloth_size.hpp"
+#include "model/cords.hpp"
 #include "model/fabric.hpp"
-#include "model/limited_edges.hpp"
 #include "model/solid.hpp"
 
 namespace weft::multigrid {
@@ -42,7 +42,7 @@ std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std:
   const double inertia = mass_of(model, body) / (he * he), damped = 1 + body.fabric->damping / he;
   const Stiffness membrane = membrane_law(*body.fabric).stiffness, bending = bending_law(*body.fabric);
   double limits = 0;  // those of springs, as below
-  for (const LimitSpring& limit : limit_springs(model, body)) {
+  for (const Cord& limit : limit_cords(model, body)) {
     const Vec3d span =
         model.rest_position[body.first_vertex + limit.b] - model.rest_position[body.first_vertex + limit.a];
     limits += limit.stiffness * dot(span, span);
@@ -65,11 +65,9 @@ std::vector<LevelScale> fabric_scales(const Model& model, const Body& body, std:
 
 /// A node's stiffness goes with the distance of nodes, and its mass with that cubed. Linear functions on cells of side
 /// s have 6 s of |∇φ|², in each direction 2 s.
-LevelScale solid_scale(const Model& model, const Body& body, double nodes, double step) {
+LevelScale solid_scale(const Model& model, const Body& body, double volume, double nodes, double step) {
   const double he = formula_length(step), own = mass_of(model, body) / (he * he) / nodes;
   const tet::Law law = tet_law(*body.solid);
-  double volume = 0;
-  for (const tet::Rest& rest : body_tets(model, body).rests) volume += rest.volume;
   const double modulus = (1 + law.delay / he) * (6 * law.mu + 2 * (law.lambda + law.mu));
   const double stiffness = modulus * std::cbrt(volume / nodes);
   return {0, own, stiffness + (1 / kElementDiagonalPart - 1) * (own + stiffness)};
@@ -78,13 +76,16 @@ LevelScale solid_scale(const Model& model, const Body& body, double nodes, doubl
 /// Of several bodies that which has least inertia for its stiffness; each has its part of a level's nodes.
 std::vector<LevelScale> solid_scales(const Model& model, const SystemBodies& bodies,
                                      std::span<const MeshLevel> levels, double step) {
+  std::vector<double> volumes;
+  for (const Body& body : bodies.bodies) volumes.push_back(volume_of(model, body));
   std::vector<LevelScale> scales;
   for (const MeshLevel& level : levels) {
     LevelScale stiffest;
-    for (const Body& body : bodies.bodies) {
+    for (std::size_t b = 0; b < bodies.bodies.size(); ++b) {
+      const Body& body = bodies.bodies[b];
       const double nodes =
           std::max(1.0, static_cast<double>(level.node_count) * body.vertex_count / bodies.vertex_count());
-      const LevelScale one = solid_scale(model, body, nodes, step);
+      const LevelScale one = solid_scale(model, body, volumes[b], nodes, step);
       if (stiffest.nodes == 0 || one.inertia * stiffest.stiffness < stiffest.inertia * one.stiffness)
         stiffest = one;
       stiffest.nodes = level.node_count;
@@ -138,7 +139,7 @@ std::vector<LevelScale> mesh_scales(const Model& model, const SystemBodies& bodi
 std::vector<float> norm_scales(const Model& model, const SystemBodies& bodies, double step) {
   std::vector<double> norms;  // of what pulls all nodes alike, squared: Σ r·D⁻¹r, r in proportion to the mass
   for (const Body& body : bodies.bodies) {
-    const LevelScale node = solid_scale(model, body, body.vertex_count, step);
+    const LevelScale node = solid_scale(model, body, volume_of(model, body), body.vertex_count, step);
     norms.push_back(body.vertex_count * node.inertia * node.inertia / (node.inertia + node.stiffness));
   }
   const double most = *std::max_element(norms.begin(), norms.end());

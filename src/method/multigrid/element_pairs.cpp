@@ -5,7 +5,7 @@
 #include <span>
 #include <tuple>
 
-#include "model/limited_edges.hpp"
+#include "model/cords.hpp"
 
 namespace weft {
 namespace {
@@ -45,9 +45,9 @@ ElementPairs element_pairs(const Model& model, const multigrid::SystemBodies& bo
   add_parts(PartKind::Membrane, ElementKind::Membrane, model, bodies, parts);
   add_parts(PartKind::Hinge, ElementKind::Hinge, model, bodies, parts);
   add_parts(PartKind::Tet, ElementKind::Tet, model, bodies, parts);
-  const std::vector<LimitSpring> limits = limit_springs(model, bodies.first());
-  for (std::uint32_t e = 0; e < limits.size(); ++e)
-    add_parts(PartKind::Limit, e, std::array{limits[e].a, limits[e].b}, 0, parts);
+  const std::vector<Cord> cords = cords_of(model, bodies.first());
+  for (std::uint32_t e = 0; e < cords.size(); ++e)
+    add_parts(PartKind::Cord, e, std::array{cords[e].a, cords[e].b}, 0, parts);
   std::sort(parts.begin(), parts.end(),
             [](const PlacedPart& a, const PlacedPart& b) { return a.order() < b.order(); });
   ElementPairs made;

@@ -1,4 +1,4 @@
-// The blocks of a cloth of fabric or a body with volume: of which parts of its membranes, hinges and limited edges, or
+// The blocks of a cloth of fabric or a body with volume: of which parts of its membranes, hinges and cords, or
 // of its tetrahedra, each is a sum. One rule for the kernels and for the reference.
 // Source: docs/solvers/multigrid.md, Fabric.
 #pragma once
@@ -13,12 +13,12 @@
 namespace weft {
 
 /// What gives blocks. Mirror: src/method/multigrid/fabric_blocks.wgsl.
-enum class PartKind : std::uint8_t { Membrane, Hinge, Limit, Tet };
+enum class PartKind : std::uint8_t { Membrane, Hinge, Cord, Tet };
 
 /// The block that an element gives to two of its nodes. Mirror: src/method/multigrid/element_part.wgsl.
 struct ElementPart {
   PartKind kind = PartKind::Membrane;
-  std::uint32_t element = 0;          // its number among its kind's: of Limit among limit_springs
+  std::uint32_t element = 0;          // its number among its kind's: of Cord among cords_of
   std::uint32_t row = 0, column = 0;  // corners of the element
 
   /// The same in one word; elements up to 2²⁶.

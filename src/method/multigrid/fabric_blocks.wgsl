@@ -1,12 +1,12 @@
-// The matrix of a cloth of fabric without its inertia: the sums of what membranes, hinges and limited edges
+// The matrix of a cloth of fabric without its inertia: the sums of what membranes, hinges and cords
 // are for two nodes. One invocation per block. Source: docs/solvers/multigrid.md, Fabric.
 #include "gpu/index.wgsl"
 #include "method/multigrid/element_part.wgsl"
-#include "method/multigrid/limit_term.wgsl"
+#include "method/multigrid/cord_term.wgsl"
 //                                                                              elements
 @group(0) @binding(0) var<uniform>             levels   : array<MeshLevelParams, 2>;
 @group(0) @binding(1) var<storage, read>       place    : array<vec4f>;     // node_count  w: N/m, 0: fixed
-@group(0) @binding(2) var<storage, read>       terms    : array<vec4f>;     // method/multigrid/limit_term.wgsl
+@group(0) @binding(2) var<storage, read>       terms    : array<vec4f>;     // method/multigrid/cord_term.wgsl
 @group(0) @binding(3) var<storage, read>       slopes   : array<vec4f>;     // triangles   1/m: membrane/build.hpp
 @group(0) @binding(4) var<storage, read>       wings    : array<vec4f>;     // 4 * hinges  1/m; w of the first: N·m
 @group(0) @binding(5) var<storage, read>       parts    : array<u32>;       // rows of blocks, then their parts
@@ -31,8 +31,8 @@ fn block_of_part(part : u32) -> Block {
   if (kind == kMembrane) {
     return block_of_term(term_of(element), slope_at(element, row), slope_at(element, column));
   }
-  if (kind != kHinge) {  // a limited edge
-    let at = limit_at(arrayLength(&slopes), element);
+  if (kind != kHinge) {  // a cord
+    let at = cord_at(arrayLength(&slopes), element);
     let found = Symmetric(terms[at].xyz, vec3f(terms[at].w, terms[at + 1u].xy));
     return Block(scaled(select(-1.0, 1.0, row == column), found), vec3f(0.0));
   }

@@ -3,8 +3,8 @@
 namespace weft {
 namespace {
 
-constexpr std::size_t kTermWords = 6;   // src/method/multigrid/membrane_term.wgsl
-constexpr std::size_t kLimitWords = 2;  // src/method/multigrid/limit_term.wgsl
+constexpr std::size_t kTermWords = 6;  // src/method/multigrid/membrane_term.wgsl
+constexpr std::size_t kCordWords = 2;  // src/method/multigrid/cord_term.wgsl
 
 }  // namespace
 
@@ -23,10 +23,9 @@ Result<void> FabricSystem::create_buffers(const CycleInputs& inputs, const Body&
   if (bounds.empty()) bounds.push_back(0);
   WEFT_SET(bounds_, gpu::Buffer<float>::create_from(device, bounds, "bounds of hinges"));
   WEFT_SET(wings_, gpu::Buffer<Vec4f>::create(device, 4 * bounds.size(), "slopes of hinges"));
-  WEFT_SET(terms_,
-           gpu::Buffer<Vec4f>::create(
-               device, kTermWords * elements_.layout.triangles + kLimitWords * elements_.limits.size(),
-               "membranes' matrix"));
+  WEFT_SET(terms_, gpu::Buffer<Vec4f>::create(
+                       device, kTermWords * elements_.layout.triangles + kCordWords * elements_.cords.size(),
+                       "membranes' matrix"));
   WEFT_SET(parts_, BlockParts::create(device, pairs, blocks));
   return {};
 }
@@ -54,8 +53,8 @@ Result<FabricSystem> FabricSystem::create(const CycleInputs& inputs, const Fabri
   WEFT_CHECK(add(kernels.forces, own.layout.hinges,
                  {own.params, own.couplings, made.wings_, own.bends, own.forces}));
   WEFT_CHECK(
-      add(kernels.limits, own.limits.size(),
-          {steps, own.params, mesh.levels, own.limits, mesh.place, mesh.vectors, made.terms_, own.forces}));
+      add(kernels.cords, own.cords.size(),
+          {steps, own.params, mesh.levels, own.cords, mesh.place, mesh.vectors, made.terms_, own.forces}));
   WEFT_CHECK(add(kernels.blocks, blocks.size(),
                  {mesh.levels, mesh.place, made.terms_, own.slopes, made.wings_, made.parts_.parts,
                   made.parts_.targets, mesh.entries, mesh.blocks}));

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-/// Membranes, hinges and limited edges in the linear system of a cloth of fabric.
+/// Membranes, hinges and cords in the linear system of a cloth of fabric.
 /// Source  docs/solvers/multigrid.md, Fabric.
 /// Reads   steps; the cycle's place, and the start of its unknown.
 /// Writes  the matrix of the finest level without inertia, and forces of elements.
@@ -34,7 +34,7 @@ class FabricSystem {
   FabricBuffers elements_;
   Creases creases_;
   gpu::Buffer<float> bounds_;  // of hinges [N·m]
-  gpu::Buffer<Vec4f> terms_;   // of membranes, then of limited edges: src/method/multigrid/limit_term.wgsl
+  gpu::Buffer<Vec4f> terms_;   // of membranes, then of limited edges: src/method/multigrid/cord_term.wgsl
   gpu::Buffer<Vec4f> wings_;   // slopes of hinges, four each [1/m]
   BlockParts parts_;
   std::vector<gpu::Dispatch> stages_;

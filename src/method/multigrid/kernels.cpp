@@ -68,6 +68,14 @@ bool any_strain_limit(const CycleInputs& inputs) {
   return std::any_of(bodies.begin(), bodies.end(),
                      [](const Body& body) { return body.strain_limit.has_value(); });
 }
+/// Whether something in a cloth of fabric only pulls (model/cords.hpp).
+bool any_cord(const CycleInputs& inputs) {
+  const Model& model = inputs.model.host;
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body& body) {
+    return body.fabric && (body.strain_limit || (body.pattern && !body.pattern->threads.empty()));
+  });
+}
+
 /// Whether an edge has a strain limit, for the kernels that evaluate springs.
 gpu::Constant limits(const CycleInputs& inputs) { return {"kLimits", any_strain_limit(inputs) ? 1.0 : 0.0}; }
 
@@ -255,8 +263,8 @@ Result<MeshKernels> MeshKernels::create(const CycleInputs& inputs, CycleKind kin
                            {&F::forces, "hinge_forces", size},
                            {&F::blocks, "fabric_blocks", size, {general}}};
   if (of_fabric) WEFT_CHECK(create_all<F>(inputs.device, fabric, made.fabric));
-  const Row<F> of_limits[] = {{&F::limits, "limit_terms", size, {lead(inputs)}}};
-  if (of_fabric && any_strain_limit(inputs)) WEFT_CHECK(create_all<F>(inputs.device, of_limits, made.fabric));
+  const Row<F> of_cords[] = {{&F::cords, "cord_terms", size, {lead(inputs)}}};
+  if (of_fabric && any_cord(inputs)) WEFT_CHECK(create_all<F>(inputs.device, of_cords, made.fabric));
   using S = SolidKernels;
   const Row<S> solid[] = {{&S::terms, "solid_terms", size, {lead(inputs)}},
                           {&S::blocks, "solid_blocks", size, {general}}};

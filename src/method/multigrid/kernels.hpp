@@ -46,7 +46,7 @@ struct GridKernels {
 /// The kernels of a cloth of fabric's own elements.
 struct FabricKernels {
   gpu::SharedKernel membranes, hinges, forces, blocks;
-  gpu::SharedKernel limits;  // of edges; none without a strain limit
+  gpu::SharedKernel cords;  // none where nothing is limited or sewn
 };
 
 /// The kernels of a body with volume's own elements.

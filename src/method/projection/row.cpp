@@ -23,6 +23,7 @@ Method projection_row(scene::SolverKind kind) {
   row.holds_obstacles = true;
   row.bounds_nodes = true;
   row.sweeps = true;
+  row.sews_fabric = true;
   row.tethers = true;
   row.history = 0;
   return row;

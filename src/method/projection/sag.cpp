@@ -54,13 +54,13 @@ double most_pull(const scene::Scene& scene, double density) {
 double softening(const Model& model, const Body& cloth) {
   const hinge::Plate& plate = model.plate(cloth);
   const std::vector<double> resistance = hinge::stiffness_bounds(plate);
+  const FabricSheet sheet = fabric_sheet(model, cloth);
   double sum = 0, count = 0;
   for (std::size_t h = 0; h < plate.hinges.size(); ++h) {
     if (resistance[h] == 0) continue;
-    hinge::Corners corners;
-    for (std::size_t i = 0; i < 4; ++i)
-      corners[i] = model.rest_position[cloth.first_vertex + plate.hinges[h].nodes[i]];
-    const hinge::Corners slope = hinge::angle_slope(corners);
+    const std::optional<hinge::Corners> corners = hinge::rest_corners(sheet.rest(), plate.hinges[h]);
+    if (!corners) continue;
+    const hinge::Corners slope = hinge::angle_slope(*corners);
     for (std::size_t i = 0; i < 4; ++i)
       sum += resistance[h] * model.inverse_mass(cloth.first_vertex + plate.hinges[h].nodes[i]) *
              dot(slope[i], slope[i]);

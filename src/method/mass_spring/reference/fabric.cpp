@@ -14,7 +14,7 @@ void FabricCloth::add_forces(std::span<const Vec3d> position, std::span<const Ve
   const std::vector<double> rates = hinge::bend_rates(plate, x, v);
   for (std::size_t h = 0; h < bends.size(); ++h) bends[h] += membranes.law.delay * rates[h];
   hinge::add_forces(plate, hinge::moments(plate, bends, creases), x, own);
-  for (const LimitSpring& limit : limits) {
+  for (const Cord& limit : limits) {
     const auto [tension, direction] = spring::pull(x[limit.b] - x[limit.a], {}, law_of(limit), 0);
     own[limit.a] += tension * direction;
     own[limit.b] -= tension * direction;
@@ -35,7 +35,7 @@ void FabricCloth::yield(std::span<const Vec3d> position) {
 double FabricCloth::stretching(std::span<const Vec3d> position) const {
   const auto x = position.subspan(first, count);
   double sum = membranes.energy(x);
-  for (const LimitSpring& limit : limits) sum += spring::energy(x[limit.b] - x[limit.a], law_of(limit));
+  for (const Cord& limit : limits) sum += spring::energy(x[limit.b] - x[limit.a], law_of(limit));
   return sum;
 }
 
@@ -50,7 +50,7 @@ std::vector<FabricCloth> fabric_cloths(const Model& model) {
     const std::optional<hinge::Yield> yields = yield_law(*body.fabric);
     all.push_back({body.first_vertex, body.vertex_count,
                    membrane::Membranes::of(fabric_sheet(model, body).rest(), membrane_law(*body.fabric)),
-                   model.plate(body), limit_springs(model, body), yields,
+                   model.plate(body), limit_cords(model, body), yields,
                    std::vector<hinge::Crease>(yields ? body.triangle_count : 0), first_crease(model, body)});
   }
   return all;

@@ -10,14 +10,15 @@
 #include "element/hinge/plate.hpp"
 #include "element/membrane/membranes.hpp"
 #include "element/spring/law.hpp"
-#include "model/limited_edges.hpp"
+#include "model/cords.hpp"
 
 namespace weft::reference {
 
-/// Of no force below its longest length.
-inline spring::Law law_of(const LimitSpring& spring) {
-  const double longest = spring.longest;
-  return {longest, 0, longest, spring.stiffness};
+/// Of no force up to its longest length.
+inline spring::Law law_of(const Cord& cord) {
+  if (cord.longest == 0) return {0, cord.stiffness};
+  const double longest = cord.longest;
+  return {longest, 0, longest, cord.stiffness};
 }
 
 /// Membranes, hinges and limited edges of one cloth. Nodes count from `first`.
@@ -25,7 +26,7 @@ struct FabricCloth {
   std::uint32_t first = 0, count = 0;
   membrane::Membranes membranes;
   hinge::Plate plate;                  // damped as they are
-  std::vector<LimitSpring> limits;     // of its edges, where it has a strain limit
+  std::vector<Cord> limits;            // of its edges, where it has a strain limit
   std::optional<hinge::Yield> yields;  // where its bends stay
   std::vector<hinge::Crease> creases;  // then what each facet keeps; else empty
   std::uint32_t first_crease = 0;      // among those of all cloths

@@ -29,19 +29,20 @@ membrane::Blocks add_membrane(MeshStep& step, const membrane::Membranes& all, st
   return membrane::blocks(all.rests[number], held + rate * membrane::damping_hessian(law, at));
 }
 
-/// Of an edge beyond its strain limit: its force, and its part of the matrix at each of its ends.
-Mat3 add_limit(MeshStep& step, const LimitSpring& limit, double rate) {
-  const SpringTerms terms = spring_terms(law_of(limit), 0, step, limit.a, limit.b, rate);
-  step.residual[limit.a] += terms.force;
-  step.residual[limit.b] -= terms.force;
-  return Mat3::outer(terms.stiffness * (1 - terms.stretch) * terms.direction, terms.direction) +
+/// Of a cord: its force, and its part of the matrix at each of its ends.
+Mat3 add_cord(MeshStep& step, const Cord& cord, double rate) {
+  const SpringTerms terms = spring_terms(law_of(cord), cord.damping, step, cord.a, cord.b, rate);
+  step.residual[cord.a] += terms.force;
+  step.residual[cord.b] -= terms.force;
+  return Mat3::outer((terms.stiffness * (1 - terms.stretch) + terms.damping) * terms.direction,
+                     terms.direction) +
          Mat3::identity(terms.stiffness * terms.stretch);
 }
 
 }  // namespace
 
-void add_fabric(MeshStep& step, const FabricCloth& cloth, const ElementPairs& parts,
-                std::span<const double> bounds, double rate) {
+void add_fabric(MeshStep& step, const FabricCloth& cloth, std::span<const Cord> cords,
+                const ElementPairs& parts, std::span<const double> bounds, double rate) {
   Field there = step.place;
   for (std::size_t a = 0; a < there.size(); ++a) there[a] += step.start[a];
   std::vector<membrane::Blocks> membranes;
@@ -57,8 +58,8 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const ElementPairs& pa
   for (const hinge::Hinge& hinge : cloth.plate.hinges)
     slopes.push_back(hinge::angle_slope(hinge::corners_of(hinge, there)));
 
-  std::vector<Mat3> limits;
-  for (const LimitSpring& limit : cloth.limits) limits.push_back(add_limit(step, limit, rate));
+  std::vector<Mat3> blocks_of_cords;
+  for (const Cord& cord : cords) blocks_of_cords.push_back(add_cord(step, cord, rate));
 
   const auto block_of = [&](const ElementPart& part) -> Mat3 {
     switch (part.kind) {
@@ -67,8 +68,8 @@ void add_fabric(MeshStep& step, const FabricCloth& cloth, const ElementPairs& pa
       case PartKind::Hinge:
         return (1 + delay * rate) * bounds[part.element] *
                Mat3::outer(slopes[part.element][part.row], slopes[part.element][part.column]);
-      case PartKind::Limit:
-        return (part.row == part.column ? 1.0 : -1.0) * limits[part.element];
+      case PartKind::Cord:
+        return (part.row == part.column ? 1.0 : -1.0) * blocks_of_cords[part.element];
       case PartKind::Tet:
         break;  // fabric has none
     }

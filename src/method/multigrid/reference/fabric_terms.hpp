@@ -6,9 +6,9 @@
 
 namespace weft::reference {
 
-/// Adds membranes, hinges and limited edges to the residual and the matrix of a step. `bounds`: of the hinges'
+/// Adds membranes, hinges and cords to the residual and the matrix of a step. `bounds`: of the hinges'
 /// stiffness [N·m]. `rate`: of velocities by places [1/s].
-void add_fabric(MeshStep& step, const FabricCloth& cloth, const ElementPairs& parts,
-                std::span<const double> bounds, double rate);
+void add_fabric(MeshStep& step, const FabricCloth& cloth, std::span<const Cord> cords,
+                const ElementPairs& parts, std::span<const double> bounds, double rate);
 
 }  // namespace weft::reference

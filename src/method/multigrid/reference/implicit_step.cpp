@@ -126,6 +126,8 @@ ImplicitStepper::ImplicitStepper(const Model& model, double step, double residua
     if (body.fabric || body.solid) {
       if (body.fabric) {
         made.fabric = fabrics++;
+        made.cords = cords_of(model, body);
+        springs += model.count(ElementKind::Spring, body);
         made.hinge_bounds = hinge::stiffness_bounds(model.plate(body));
       } else {
         made.first_solid = solids;
@@ -268,7 +270,7 @@ MeshStep ImplicitStepper::linearise_mesh(const MassSpringSystem& system, const s
   for (std::size_t a = 0; a < cloth.count; ++a) blocks[a] = Sym3::identity(step.inertia[a]);
   const double rate = 1 / step_formula(dt, ratio).he;
   if (cloth.fabric)
-    add_fabric(step, system.fabrics[*cloth.fabric], cloth.parts, cloth.hinge_bounds, rate);
+    add_fabric(step, system.fabrics[*cloth.fabric], cloth.cords, cloth.parts, cloth.hinge_bounds, rate);
   else if (cloth.solids > 0)
     add_solids(step, std::span(system.solids).subspan(cloth.first_solid, cloth.solids), cloth.first,
                cloth.parts, rate);

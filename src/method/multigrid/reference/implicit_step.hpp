@@ -111,6 +111,7 @@ class ImplicitStepper : public Stepper {
     std::vector<float> norm_scales;           // of bodies: multigrid::norm_scales; else none
     ElementPairs parts;                       // of the fabric's or the bodies' matrix
     std::vector<double> hinge_bounds;         // [N·m]
+    std::vector<Cord> cords;                  // of fabric
     multigrid::Bottom bottom;                 // of its cycles
     multigrid::Smoothing finest;
   };
