@@ -256,6 +256,34 @@ TEST_CASE_FIXTURE(GpuFixture, "by every method a ball lies in a hammock as in do
   }
 }
 
+TEST_CASE_FIXTURE(GpuFixture, "a ball lies still on a sheet on a floor by the kernels, as in double") {
+  for (const char* solver : {"mass_spring", "multigrid", "vbd"}) {
+    CAPTURE(solver);
+    const scene::Scene scene = scene_of(std::string(R"("solver": {"kind": ")") + solver +
+                                        R"("}, "contact": {"thickness": 0.005},
+      "cloths": [{"grid": [9, 9], "size": [0.3, 0.3], "plane": "xz", "density": 0.3, "damping": 0.01,
+                  "stiffness": {"structural": 60, "shear": 12, "bend": 0.5},
+                  "transform": {"translate": [0, 0.006, 0]}}],
+      "colliders": [{"kind": "plane", "point": [0, 0, 0], "normal": [0, 1, 0]},
+                    {"kind": "sphere", "center": [0.01, 0.0605, 0.005], "radius": 0.05, "rigid": {"mass": 0.2}}])");
+    auto world = world_of(device(), scene);
+    auto simulation = reference_of(scene);
+    double lowest = 1, highest = 0;
+    for (int frame = 0; frame < 24; ++frame) {
+      advance(*world, 1);
+      REQUIRE_OK(simulation.advance_frame());
+      const sim::RigidPlace body = places_of(*world)[0];
+      CHECK(length(body.place - simulation.proximity()->rigid().states()[1].place) < 1e-4);
+      if (frame < 10) continue;
+      lowest = std::min(lowest, body.place.y);
+      highest = std::max(highest, body.place.y);
+      CHECK(std::abs(body.velocity.y) < 2e-3);
+    }
+    CHECK(lowest > 0.05 + 1.5 * 0.005);
+    CHECK(highest - lowest < 0.05 * 0.005);
+  }
+}
+
 TEST_CASE_FIXTURE(GpuFixture, "a body stays as it was before the frame in which a node is not finite") {
   const scene::Scene scene =
       scene_of(R"("solver": {"kind": "mass_spring"}, "time": {"substeps": 4}, )" + kAside +

@@ -28,11 +28,19 @@ fn arrive_rigid(@builtin(global_invocation_id) id : vec3u) {
   let turn = quaternion_at(body + kRigidNextTurn);
   let pushes = take_sums(body, kRigidPushes);
   let inertia = vector_at(body + kRigidInertia);
+  let near = rigid[body + kRigidNear];
+  let before = vector_at(body + kRigidLift);
+  // What an obstacle bears of a body, cloth between both does not: while it lies there, it is as if it bore it.
+  let lift = select(linear, before, near != 0u && length(linear) <= length(before));
+  var lack = select(0.0, bitcast<f32>(near) - step.contact.thickness, near != 0u);
+  if (length(lift) > 0.0) { lack -= dot(place - vector_at(body + kRigidPlace), lift) / length(lift); }
+  set_vector(body + kRigidLift, lift);
+  set_number(body + kRigidLack, lack);
+  rigid[body + kRigidNear] = 0u;
   set_vector(body + kRigidPlace, place);
   set_quaternion(body + kRigidTurn, turn);
   set_vector(body + kRigidVelocity, velocity);
   set_vector(body + kRigidMomentum, momentum);
-  set_vector(body + kRigidLift, linear);
   set_vector(body + kRigidPush, inverse_mass / step.time.dt * pushes.linear);
   set_vector(body + kRigidPushTurn, spin_of(inertia, turn, pushes.angular) / step.time.dt);
   rigid[body + kRigidShares] = 0u;

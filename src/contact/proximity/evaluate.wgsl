@@ -26,6 +26,7 @@
 @group(0) @binding(8) var<storage, read_write> rigid           : array<atomic<u32>>;
 
 const kShapeWords = 2u;  // of a point, behind the ends: collider_set.hpp
+const kLeastNear = 1e-9;  // m: of cloth that is to meet a body, from twice the thickness away
 const kTouch = 0.01;  // of the thickness: a nearer feature has no side of its own
 
 var<workgroup> records : u32;
@@ -224,6 +225,9 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
     if (body.exists) {
       contacts[number].other_end = sides_with_body(contact.other_end, body.collider);
       if (acts) { atomicAdd(&rigid[body.words + kRigidShares], urgency); }
+      if (acts && !untangles && lifts(rigid_vector(body.words + kRigidLift), body_side(ids) * n)) {
+        atomicMax(&rigid[body.words + kRigidNear], bitcast<u32>(max(2.0 * thickness - gap, kLeastNear)));
+      }
       if (is_kept) { add_to_body(body.words, kRigidSums, body.arm, body_side(ids) * step.time.dt * force); }
     }
     contacts[number].normal = contact.normal;

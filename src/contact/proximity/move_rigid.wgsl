@@ -21,7 +21,6 @@ const kTouchRounds = 12u;
 const kTouchPart = 1e-3;    // of the extent: no farther is touched
 const kOutPart = 0.2;
 const kOutSpeed = 0.5;      // m/s
-const kLifts = 0.5;         // the cosine to an obstacle's normal from which on cloth bears a body away from it
 const kNoFriction = 0.3;    // of two colliders that give none
 const kLeastTravel = 1e-9;  // m: bodies that lie still may be struck
 
@@ -77,18 +76,18 @@ fn friction_between(a : f32, b : f32) -> f32 {
   return select(select(kNoFriction, b, b >= 0.0), a, a >= 0.0);
 }
 
-// How far from an obstacle cloth keeps a body that lies on it: where cloth has borne it away from the obstacle, that
-// lies between them, with its thickness to both.
-fn room_of_cloth(body : u32, other : u32, normal : vec3f) -> f32 {
-  let lift = vector_at(kRigidWords * body + kRigidLift);
-  let between = !is_body(other) && dot(lift, normal) > kLifts * length(lift);
-  return select(0.0, 2.0 * step.contact.thickness, between);
+// How much nearer to an obstacle a body may come: where cloth bears it away from that, it lies between them, with its
+// thickness to both, or as near as its pairs let the body come.
+fn gap_with_cloth(body : u32, other : u32, normal : vec3f, apart : f32) -> f32 {
+  let word = kRigidWords * body;
+  if (is_body(other) || !lifts(vector_at(word + kRigidLift), normal)) { return apart; }
+  return max(apart - 2.0 * step.contact.thickness, -number_at(word + kRigidLack));
 }
 
 // Keeps a touch if it is near, in place of the farthest where there are too many.
 fn consider(body : u32, other : u32, point : vec3f, normal : vec3f, apart : f32) {
   let word = kRigidWords * body;
-  let gap = apart - room_of_cloth(body, other, normal);
+  let gap = gap_with_cloth(body, other, normal, apart);
   let of_other = velocity_of(other, point);
   let dt = step.time.dt;
   let speed = dot(normal, velocity_at(body, point) - of_other);

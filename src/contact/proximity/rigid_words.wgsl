@@ -8,7 +8,8 @@ const kRigidVelocity = 8u;  // m/s
 const kRigidMomentum = 12u; // angular, kg m²/s
 const kRigidPush = 16u;     // by which its next way is another than its velocity's, m/s
 const kRigidPushTurn = 20u; // rad/s
-const kRigidLift = 24u;     // the impulse of cloth in the last substep, N·s
+const kRigidLift = 24u;     // the impulse of cloth when it last bore it, N·s; 0: none lies at it
+const kRigidLack = 27u;     // by how much that cloth is too near, m
 // What it is.
 const kRigidKind = 32u;         // u32: the kinds below
 const kRigidInverseMass = 33u;  // 1/kg; 0: it is none
@@ -36,7 +37,11 @@ const kRigidShares = 96u;     // u32: the sum of the urgencies of its pairs
 const kRigidTouches = 97u;    // u32: what it touches
 const kRigidSums = 98u;       // six numbers of 64 bits: impulses that come, linear and angular
 const kRigidPushes = 110u;    // likewise, of pushes
+const kRigidNear = 122u;      // u32: the bits of 2 h less the gap of what bears it, the largest; 0: nothing does
 const kRigidRows = 128u;      // where it is drawn: three rows of a rigid transform
+
+const kLifts = 0.5;  // the cosine to a direction from which on cloth bears a body that way
+fn lifts(lift : vec3f, direction : vec3f) -> bool { return dot(lift, direction) > kLifts * length(lift); }
 
 const kBall = 0u;
 const kCapsule = 1u;

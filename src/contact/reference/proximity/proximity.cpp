@@ -436,7 +436,15 @@ std::uint64_t Proximity::answer(const Nodes& nodes, double begin, double dt) {
       impulses[taken.collider].linear += taken.impulse;
       impulses[taken.collider].angular += cross(arm, taken.impulse);
     }
-    rigid_.arrive(impulses, response.body_pushes, truncated.part, dt);
+    std::vector<std::optional<double>> lacks(impulses.size());
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      if (!near[p].rigid || !response.acts[p] || near[p].untangles) continue;
+      const auto& [collider, weight, arm] = *near[p].rigid;
+      if (!rigid_.bears(collider, weight * near[p].direction)) continue;
+      const double lack = std::max(near[p].thickness - near[p].distance, -near[p].thickness);
+      lacks[collider] = std::max(lacks[collider].value_or(lack), lack);
+    }
+    rigid_.arrive(impulses, response.body_pushes, lacks, truncated.part, dt);
   }
   truncated_.vertices += truncated.vertices;
   truncated_.driven += truncated.driven;

@@ -180,6 +180,7 @@ RigidBodies::RigidBodies(const scene::Scene& scene, std::span<const mesh::Triang
 
 void RigidBodies::reset() {
   lifts_.assign(solids_.size(), {});
+  lacks_.assign(solids_.size(), 0);
   states_.clear();
   for (const ColliderSolid& solid : solids_)
     states_.push_back(solid.rigid() ? weft::start_of(solid) : RigidState{});
@@ -273,8 +274,8 @@ void RigidBodies::find_touches(const Way& way) {
     std::vector<Touch> near;
     for (Touch& touch : found) {
       // Where cloth has borne the body away from an obstacle, it lies between them, with its thickness to both.
-      if (!solids_[touch.other].rigid() && dot(lifts_[body], touch.normal) > kLifts * length(lifts_[body]))
-        touch.gap -= 2 * way.thickness;
+      if (!solids_[touch.other].rigid() && bears(body, touch.normal))
+        touch.gap = std::max(touch.gap - 2 * way.thickness, -lacks_[body]);
       if (!solids_[touch.other].rigid())
         touch.other_velocity =
             (carried(touch.point, way.start[touch.other], way.end[touch.other]) - touch.point) / way.dt;
@@ -372,13 +373,22 @@ void RigidBodies::go(const Way& way) {
   }
 }
 
+bool RigidBodies::bears(std::size_t collider, const Vec3d& direction) const {
+  return dot(lifts_[collider], direction) > kLifts * length(lifts_[collider]);
+}
+
 void RigidBodies::arrive(std::span<const RigidImpulse> impulses, std::span<const RigidImpulse> pushes,
-                         double part, double dt) {
+                         std::span<const std::optional<double>> lacks, double part, double dt) {
   for (std::size_t c = 0; c < solids_.size(); ++c) {
     if (!solids_[c].rigid()) continue;
     RigidState& state = states_[c];
     const Movable& movable = movables_[c];
-    lifts_[c] = part * impulses[c].linear;
+    // What an obstacle bears of a body, cloth between both does not: while it lies there, it is as if it bore it.
+    if (const Vec3d lift = part * impulses[c].linear; !lacks[c] || length(lift) > length(lifts_[c]))
+      lifts_[c] = lift;
+    lacks_[c] = lacks[c].value_or(0);
+    if (const double lift = length(lifts_[c]); lift > 0)
+      lacks_[c] -= dot(movable.place - state.place, lifts_[c]) / lift;
     state.place = movable.place;
     state.turn = turns_[c];
     state.velocity += (part * movable.inverse_mass) * impulses[c].linear;

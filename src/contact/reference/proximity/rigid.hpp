@@ -50,9 +50,13 @@ class RigidBodies {
   const std::vector<std::optional<scene::RigidTransform>>& starts() const { return starts_; }
   const std::vector<std::optional<scene::RigidTransform>>& ends() const { return ends_; }
   const std::vector<Movable>& movables() const { return movables_; }
+  /// Whether cloth that presses a body in this direction bears it as it did in the substep before.
+  bool bears(std::size_t collider, const Vec3d& direction) const;
   /// They are where their ways end, with the impulses of cloth, of which `part` counts, and the pushes [m], [rad].
-  void arrive(std::span<const RigidImpulse> impulses, std::span<const RigidImpulse> pushes, double part,
-              double dt);
+  /// `lacks`: of each, by how much at most cloth that lies there and bears it (bears) is too near to it [m]; none: none
+  /// does.
+  void arrive(std::span<const RigidImpulse> impulses, std::span<const RigidImpulse> pushes,
+              std::span<const std::optional<double>> lacks, double part, double dt);
 
   const std::vector<ColliderSolid>& solids() const { return solids_; }
   /// Of each collider.
@@ -87,7 +91,9 @@ class RigidBodies {
   std::vector<Movable> movables_;
   std::vector<Quaternion> turns_;  // where ways end
   std::vector<Touch> touches_;
-  std::vector<Vec3d> lifts_;  // what cloth gave each in the substep before [N·s]
+  /// What cloth has given each when it last bore it [N·s], 0 where none lies at it; and by how much it is too near [m].
+  std::vector<Vec3d> lifts_;
+  std::vector<double> lacks_;
   std::vector<std::optional<scene::RigidTransform>> starts_, ends_;
   bool any_ = false;
 };
