@@ -167,6 +167,35 @@ TEST_CASE("of an edge with three triangles a direction must lead off all of them
   CHECK(in_cone_of_edge(fins, {0, 1}, {0, -1, 0}));
 }
 
+TEST_CASE("the sides of a fold meet beside it, though each is nearer to the other in the fold") {
+  constexpr double kCell = 0.04;
+  const mesh::Grid grid{7, 3, 6 * kCell, 2 * kCell};
+  const double lean = std::acos(-1.0) / 36;  // of each side, from upright
+  std::vector<Vec3d> places;
+  for (std::uint32_t j = 0; j < grid.ny; ++j)
+    for (std::uint32_t i = 0; i < grid.nx; ++i) {
+      const double along = (i - 3.0) * kCell;
+      places.push_back({along * std::sin(lean), std::abs(along) * std::cos(lean), j * kCell});
+    }
+  const Features cloth = features_of(places, mesh::grid_triangles(grid));
+  // Of each column of one side, the pairs of its vertices with triangles that have one of the other.
+  std::vector<int> meet(4, 0);
+  for (std::uint32_t vertex = 0; vertex < places.size(); ++vertex)
+    for (std::uint32_t t = 0; t < cloth.triangles.size(); ++t) {
+      const mesh::Triangle& corners = cloth.triangles[t];
+      const auto is_across = [&](std::uint32_t corner) { return corner % grid.nx > 3; };
+      if (vertex % grid.nx >= 3 || std::none_of(corners.begin(), corners.end(), is_across)) continue;
+      FeaturePair pair;
+      pair.kind = PairKind::VertexTriangle;
+      pair.a = vertex;
+      pair.b = t;
+      const FeaturePair now = measured(pair, cloth, {});
+      if (now.inside && now.in_cones && now.distance < kCell / 2) ++meet[3 - vertex % grid.nx];
+    }
+  CHECK(meet[1] > 0);   // a cell beside the fold, where it keeps its sides apart
+  CHECK(meet[3] == 0);  // farther away the fold is nearer
+}
+
 TEST_CASE("a vertex beside a triangle meets it only where no neighbour of the triangle is nearer") {
   // Over the right side of the hinge, 0.2 m from the edge. Triangle 0 is the left one.
   for (const double height : {-0.5, 0.0, 0.5}) {

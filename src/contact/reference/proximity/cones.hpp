@@ -8,10 +8,13 @@
 namespace weft::reference {
 
 /// Whether `way`, from a point of the edge, leads to places of which no triangle at the edge is nearer elsewhere.
-/// True where there is no triangle; all of them count where there are more than two.
-bool in_cone_of_edge(const Features& of, const mesh::Edge& edge, const Vec3d& way);
-/// Whether `way`, from the vertex, leads to places to which no edge at the vertex is nearer elsewhere.
-bool in_cone_of_vertex(const Features& of, std::uint32_t vertex, const Vec3d& way);
+/// True where there is no triangle; all of them count where there are more than two. Triangles whose third corner is
+/// one of the nodes that it has `met`, or beside one, do not: folded cloth is nearest to itself in its fold.
+bool in_cone_of_edge(const Features& of, const mesh::Edge& edge, const Vec3d& way,
+                     std::span<const std::uint32_t> met = {});
+/// Whether `way`, from the vertex, leads to places to which no edge at the vertex is nearer elsewhere; likewise.
+bool in_cone_of_vertex(const Features& of, std::uint32_t vertex, const Vec3d& way,
+                       std::span<const std::uint32_t> met = {});
 
 /// Whether the direction of a pair, with its weights, lies in the cones of its features. What has a radius has
 /// no cone. The inside of a triangle has only its normal. A vertex of cloth has none before an obstacle
