@@ -119,6 +119,7 @@ const kMostSeparations = 6u;  // rounds of a substep; mirror: src/contact/proxim
 const kSoftLack = 0.02;      // of the thickness: of a smaller lack less is restored, in proportion to it
 const kPushPart = 0.7;       // β: of a missing gap, the part that a substep restores, by a push that is in no velocity
 const kHeldLack = 0.2;       // of the thickness: what a pair may lack that is left to the solver, before it is pushed
+const kStruckNear = 0.5;     // of the thickness: what would end nearer to an obstacle goes along with its impulse
 const kPushSpeed = 0.5;      // m/s: of a push
 const kUntanglePart = 0.125;  // of the thickness: how far apart what crosses comes in a substep
 const kUntangleRate = 120.0;  // thicknesses a second: the same

@@ -588,6 +588,7 @@ Json shared_constants() {
       constant("kPressedOften", "state/contact.wgsl", kPressedOften),
       real("kPressedGap", "state/contact.wgsl", kPressedGap),
       real("kHeldLack", "state/contact.wgsl", kHeldLack),
+      real("kStruckNear", "state/contact.wgsl", kStruckNear),
       real("kPushSpeed", "state/contact.wgsl", kPushSpeed),
       real("kPartingSteps", "contact/proximity/parting.wgsl", kPartingSteps),
       constant("kSumWords", "state/pair_holds.wgsl", kPairSumWords),

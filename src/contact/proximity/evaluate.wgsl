@@ -249,7 +249,7 @@ fn evaluate(@builtin(global_invocation_id) id : vec3u, @builtin(num_workgroups) 
       if (acts && is_of_two_systems(contact) && w[role] != 0.0) {
         atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kBesideCloth);
       }
-      if (acts && !is_self && w[role] != 0.0 && gap + step.time.dt * speed < (1.0 - kHeldLack) * thickness) {
+      if (acts && !is_self && w[role] != 0.0 && gap + step.time.dt * speed < kStruckNear * thickness) {
         atomicOr(&vertex_contacts[kVertexWords * vertex + kHeldWord], kStruck);
       }
       if (is_kept) {

@@ -66,6 +66,9 @@ inline constexpr double kWholeWeight = 0.999;
 /// What a hold has answered is pushed only where it lacks more than this part of the thickness: so deep the pushes of
 /// layers bring it, which are faster than the hold, while those of edges that bend over a body make it creep.
 inline constexpr double kHeldLack = 0.2;
+/// What an obstacle strikes after an implicit solve, and what would end nearer than this part of the thickness, goes
+/// along with its impulse, without its neighbours: the next substep might find it in the obstacle.
+inline constexpr double kStruckNear = 0.5;
 /// The cosine between a node's own direction from a round obstacle and the pair's, from which on a press is along the
 /// pair's alone, and how much more of it until it is along the node's own.
 inline constexpr double kRoundCosine = 0.8, kRoundFade = 0.1;
@@ -95,7 +98,7 @@ inline constexpr double kStoppedPart = 0.5;
 /// cloth: docs/contact.md, equation (6h).
 inline constexpr double kMostDelay = 0.5;
 /// Or so much of the time of one substep, where that is more: a frame of one substep has no other to go on in.
-inline constexpr double kMostDelayOfSubstep = 15.0 / 16;
+inline constexpr double kMostDelayOfSubstep = 63.0 / 64;
 /// What a frame of such substeps may lose [µs], of both lengths in seconds.
 constexpr std::uint32_t most_delay(double frame, double step) {
   return static_cast<std::uint32_t>(1e6 * std::max(kMostDelay * frame, kMostDelayOfSubstep * step));

@@ -156,7 +156,7 @@ Response respond(std::span<const NearPair> pairs, std::span<const Vec3d> velocit
     for (std::uint32_t k = 0; k < pair.node_count; ++k)
       response.acting[pair.nodes[k]] += urgency[p] * std::abs(pair.weights[k]);
     if (pair.rigid) body_acting[pair.rigid->collider] += urgency[p];
-    const bool strikes = pair.with_body && pair.distance + law.dt * u_n < (1 - kHeldLack) * pair.thickness;
+    const bool strikes = pair.with_body && pair.distance + law.dt * u_n < kStruckNear * pair.thickness;
     for (std::uint32_t k = 0; k < pair.node_count; ++k) {
       if (pair.weights[k] == 0) continue;
       if (!pair.with_body && (!pair.of_one_system || pair.untangles))

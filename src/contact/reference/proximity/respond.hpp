@@ -74,7 +74,7 @@ struct Response {
   std::vector<bool> beside_cloth;           // nodes on which pairs of different cloths act
   std::vector<RigidImpulse> body_impulses;  // of each collider; 0 where it is not rigid
   std::vector<RigidImpulse> body_pushes;    // likewise, pushes of its mass [kg m], [kg m²]
-  std::vector<bool> struck;  // nodes with a pair with an obstacle that would end nearer than a held one may
+  std::vector<bool> struck;  // nodes with a pair with an obstacle that would end nearer than kStruckNear
 };
 
 /// v without its part along the unit vector n.
